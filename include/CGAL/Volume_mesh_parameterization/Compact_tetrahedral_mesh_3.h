@@ -1,0 +1,289 @@
+// Copyright (c) 2026  The Volume_mesh_parameterization authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_COMPACT_TETRAHEDRAL_MESH_3_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_COMPACT_TETRAHEDRAL_MESH_3_H
+
+#include <CGAL/license/Volume_mesh_parameterization.h>
+
+#include <CGAL/Volume_mesh_parameterization/Error_code.h>
+#include <CGAL/Volume_mesh_parameterization/Tetrahedron_soup_3.h>
+#include <CGAL/Volume_mesh_parameterization/indices.h>
+
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/number_utils.h>
+
+#include <boost/range/irange.hpp>
+#include <boost/range/adaptor/transformed.hpp>
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Volume_mesh_parameterization {
+
+/*!
+\ingroup PkgVolumeMeshParameterizationMesh
+
+is the mesh that all stages work on: flat arrays with 32-bit indices, facets numbered once, the facets of the
+boundary first, each with a label.
+
+Facet `i` of a cell is the one opposite to its vertex `i`. Cells are positively oriented.
+
+\cgalModels{TetrahedralMesh_3}
+
+\tparam GeomTraits a model of `VolumeParameterizationTraits_3`
+*/
+template <typename GeomTraits>
+class Compact_tetrahedral_mesh_3 {
+public:
+  using Geom_traits = GeomTraits;
+  using FT = typename GeomTraits::FT;
+  using Point_3 = typename GeomTraits::Point_3;
+
+  /// The vertices of the facet opposite to vertex `i`, counterclockwise seen from outside of a positive cell.
+  static constexpr int facet_vertices[4][3] = {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}};
+  /// The two ends of each of the six edges of a cell.
+  static constexpr int edge_vertices[6][2] = {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}};
+
+  using Cell_vertices = std::array<Vertex_index, 4>;
+  using Cell_labels = std::array<int, 4>;
+
+  /// \name Construction
+  /// @{
+
+  /// copies `mesh` and its labels in \f$ O(n \log n) \f$. Indices are checked, geometry and topology are not:
+  /// see `check_tetrahedral_mesh()`.
+  /// \tparam TetrahedralMesh a model of `TetrahedralMesh_3`
+  /// \returns `ERROR_EMPTY_MESH`, `ERROR_INDEX_OUT_OF_RANGE`, `ERROR_NON_MANIFOLD` (a facet in three cells) or
+  /// `ERROR_LABEL_NOT_ON_BOUNDARY`; then the mesh is left empty
+  template <typename TetrahedralMesh>
+  Status assign(const TetrahedralMesh& mesh) {
+    Status status = copy(mesh);
+    if (status.ok()) status = number_facets();
+    if (status.ok()) status = read_labels(mesh.labelled_facets());
+    if (!status.ok()) *this = Compact_tetrahedral_mesh_3();
+    return status;
+  }
+
+  /// takes points, cells and the label of each facet of each cell (0 in the interior).
+  Status assign(std::vector<Point_3> points, std::vector<Cell_vertices> cells, const std::vector<Cell_labels>& labels) {
+    m_points = std::move(points);
+    m_cells = std::move(cells);
+    const Status status = number_facets();
+    if (status.ok())
+      for (Facet_index f : boundary_facets()) set_label(f, labels[half_facet(f).cell][half_facet(f).index]);
+    return status;
+  }
+
+  void set_label(Facet_index boundary_facet, int label) { m_labels[boundary_facet] = label; }
+
+  /// @}
+  /// \name Elements
+  /// @{
+
+  std::size_t number_of_vertices() const { return m_points.size(); }
+  std::size_t number_of_cells() const { return m_cells.size(); }
+  std::size_t number_of_facets() const { return m_half_facets.size(); }
+  std::size_t number_of_boundary_facets() const { return m_labels.size(); }
+
+  auto vertices() const { return indices<Vertex_index>(number_of_vertices()); }
+  auto cells() const { return indices<Cell_index>(number_of_cells()); }
+  auto facets() const { return indices<Facet_index>(number_of_facets()); }
+  auto boundary_facets() const { return indices<Facet_index>(number_of_boundary_facets()); }
+
+  const Point_3& point(std::size_t vertex) const { return m_points[vertex]; }
+  const std::vector<Point_3>& points() const { return m_points; }
+  const Cell_vertices& cell(std::size_t c) const { return m_cells[c]; }
+  Vertex_index vertex(Cell_index c, int i) const { return m_cells[c][i]; }
+  Facet_index facet(Cell_index c, int i) const { return m_cell_facets[c][i]; }
+
+  /// @}
+  /// \name Adjacency
+  /// @{
+
+  bool is_boundary(Facet_index f) const { return f < m_labels.size(); }
+
+  /// returns the facet `f` seen from one of its cells; `side` 1 exists for interior facets only.
+  Half_facet half_facet(Facet_index f, int side = 0) const { return unpack(m_half_facets[f][side]); }
+
+  /// returns the same facet seen from the other cell, whose index is invalid on the boundary.
+  Half_facet opposite(Half_facet h) const {
+    const std::array<std::uint32_t, 2>& sides = m_half_facets[m_cell_facets[h.cell][h.index]];
+    return unpack(sides[0] == pack(h) ? sides[1] : sides[0]);
+  }
+
+  Cell_index neighbor(Cell_index c, int i) const { return opposite({c, i}).cell; }
+
+  /// returns the vertices of `f`, counterclockwise seen from outside of the cell of `half_facet(f)`.
+  std::array<Vertex_index, 3> vertices(Facet_index f) const { return vertices(half_facet(f)); }
+  std::array<Vertex_index, 3> vertices(Half_facet h) const {
+    const int* v = facet_vertices[h.index];
+    return {m_cells[h.cell][v[0]], m_cells[h.cell][v[1]], m_cells[h.cell][v[2]]};
+  }
+
+  /// returns which vertex of `c` is `v`, or -1.
+  int index(Cell_index c, Vertex_index v) const {
+    for (int i = 0; i < 4; ++i)
+      if (m_cells[c][i] == v) return i;
+    return -1;
+  }
+
+  /// @}
+  /// \name Labels
+  /// @{
+
+  /// returns the label of a facet, `INTERIOR` if it is not on the boundary.
+  int label(Facet_index f) const { return is_boundary(f) ? m_labels[f] : int(INTERIOR); }
+  int label(Cell_index c, int i) const { return label(facet(c, i)); }
+
+  /// returns a range of `Labelled_facet`, one for each boundary facet.
+  auto labelled_facets() const {
+    return boundary_facets() | boost::adaptors::transformed([this](Facet_index f) {
+             const auto v = vertices(f);
+             return Labelled_facet{{v[0], v[1], v[2]}, label(f)};
+           });
+  }
+  /// @}
+
+private:
+  static constexpr std::uint32_t none = std::uint32_t(-1);
+  using Sorted_facet = std::array<std::uint32_t, 4>; // three vertices in increasing order, packed half-facet
+
+  static std::uint32_t pack(Half_facet h) { return 4 * h.cell + h.index; }
+  static Half_facet unpack(std::uint32_t h) {
+    return h == none ? Half_facet{} : Half_facet{Cell_index(h / 4), int(h % 4)};
+  }
+
+  template <typename Index>
+  static auto indices(std::size_t n) {
+    return boost::irange(std::size_t(0), n) |
+           boost::adaptors::transformed([](std::size_t i) { return Index(i); });
+  }
+
+  template <typename TetrahedralMesh>
+  Status copy(const TetrahedralMesh& mesh) {
+    const std::size_t nv = mesh.number_of_vertices(), nc = mesh.number_of_cells();
+    if (nc == 0) return {ERROR_EMPTY_MESH, "it has no tetrahedra"};
+    m_points.clear();
+    m_points.reserve(nv);
+    for (std::size_t v = 0; v < nv; ++v) m_points.push_back(mesh.point(v));
+    m_cells.resize(nc);
+    for (std::size_t c = 0; c < nc; ++c)
+      for (int i = 0; i < 4; ++i) {
+        const std::size_t v = mesh.cell(c)[i];
+        if (v >= nv || std::find(m_cells[c].begin(), m_cells[c].begin() + i, Vertex_index(v)) != m_cells[c].begin() + i)
+          return {ERROR_INDEX_OUT_OF_RANGE, "tetrahedron " + std::to_string(c) + " names vertex " + std::to_string(v)};
+        m_cells[c][i] = Vertex_index(v);
+      }
+    return {};
+  }
+
+  static Sorted_facet sorted(std::array<Vertex_index, 3> v, std::uint32_t half_facet) {
+    std::sort(v.begin(), v.end());
+    return {v[0], v[1], v[2], half_facet};
+  }
+
+  static bool same_facet(const Sorted_facet& a, const Sorted_facet& b) {
+    return std::equal(a.begin(), a.begin() + 3, b.begin());
+  }
+
+  std::vector<Sorted_facet> sorted_half_facets() const {
+    std::vector<Sorted_facet> all;
+    all.reserve(4 * m_cells.size());
+    for (Cell_index c : cells())
+      for (int i = 0; i < 4; ++i) all.push_back(sorted(vertices(Half_facet{c, i}), pack({c, i})));
+    std::sort(all.begin(), all.end());
+    return all;
+  }
+
+  // Boundary facets come first, each kind in the lexicographic order of its vertices.
+  Status number_facets() {
+    const std::vector<Sorted_facet> all = sorted_half_facets();
+    std::vector<std::array<std::uint32_t, 2>> interior;
+    m_half_facets.clear();
+    for (std::size_t k = 0, end; k < all.size(); k = end) {
+      for (end = k + 1; end < all.size() && same_facet(all[k], all[end]);) ++end;
+      if (end - k > 2)
+        return {ERROR_NON_MANIFOLD, "tetrahedra " + std::to_string(all[k][3] / 4) + ", " +
+                                        std::to_string(all[k + 1][3] / 4) + " and " +
+                                        std::to_string(all[k + 2][3] / 4) + " share a facet"};
+      if (end - k == 1)
+        m_half_facets.push_back({all[k][3], none});
+      else
+        interior.push_back({all[k][3], all[k + 1][3]});
+    }
+    m_labels.assign(m_half_facets.size(), INTERIOR);
+    m_half_facets.insert(m_half_facets.end(), interior.begin(), interior.end());
+    m_cell_facets.resize(m_cells.size());
+    for (Facet_index f : facets())
+      for (std::uint32_t h : m_half_facets[f])
+        if (h != none) m_cell_facets[h / 4][h % 4] = f;
+    return {};
+  }
+
+  template <typename Range>
+  Status read_labels(const Range& labelled_facets) {
+    std::vector<Sorted_facet> boundary;
+    for (Facet_index f : boundary_facets()) boundary.push_back(sorted(vertices(f), f));
+    std::size_t k = 0;
+    for (const Labelled_facet& given : labelled_facets) {
+      const auto& v = given.vertices;
+      const Sorted_facet key = sorted({Vertex_index(v[0]), Vertex_index(v[1]), Vertex_index(v[2])}, 0);
+      const auto found = std::lower_bound(boundary.begin(), boundary.end(), key);
+      const bool exists = found != boundary.end() && same_facet(*found, key);
+      if (!exists || (m_labels[(*found)[3]] != INTERIOR && m_labels[(*found)[3]] != given.label))
+        return {ERROR_LABEL_NOT_ON_BOUNDARY, "triangle " + std::to_string(k) + " with vertices " + std::to_string(v[0]) +
+                                                 ", " + std::to_string(v[1]) + ", " + std::to_string(v[2])};
+      m_labels[(*found)[3]] = given.label;
+      ++k;
+    }
+    return {};
+  }
+
+  std::vector<Point_3> m_points;
+  std::vector<Cell_vertices> m_cells;
+  std::vector<std::array<Facet_index, 4>> m_cell_facets;
+  std::vector<std::array<std::uint32_t, 2>> m_half_facets; // packed, the second `none` on the boundary
+  std::vector<int> m_labels;                               // of the boundary facets
+};
+
+/*!
+\ingroup PkgVolumeMeshParameterizationMesh
+
+returns `mesh` as a soup with the label of every boundary facet.
+*/
+template <typename GeomTraits>
+Tetrahedron_soup_3<typename GeomTraits::Point_3> make_soup(const Compact_tetrahedral_mesh_3<GeomTraits>& mesh) {
+  Tetrahedron_soup_3<typename GeomTraits::Point_3> soup;
+  soup.points = mesh.points();
+  for (Cell_index c : mesh.cells()) {
+    const auto& v = mesh.cell(c);
+    soup.cells.push_back({v[0], v[1], v[2], v[3]});
+  }
+  for (const Labelled_facet& f : mesh.labelled_facets()) soup.facets.push_back(f);
+  return soup;
+}
+
+namespace internal {
+
+using Double_kernel = Simple_cartesian<double>;
+
+template <typename Point>
+Double_kernel::Point_3 approximate(const Point& p) {
+  return {CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())};
+}
+
+} // namespace internal
+
+} // namespace Volume_mesh_parameterization
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_COMPACT_TETRAHEDRAL_MESH_3_H

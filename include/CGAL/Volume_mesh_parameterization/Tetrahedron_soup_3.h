@@ -1,0 +1,64 @@
+// Copyright (c) 2026  The Volume_mesh_parameterization authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_TETRAHEDRON_SOUP_3_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_TETRAHEDRON_SOUP_3_H
+
+#include <CGAL/license/Volume_mesh_parameterization.h>
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Volume_mesh_parameterization {
+
+/*!
+\ingroup PkgVolumeMeshParameterizationMesh
+
+is a triangle of the boundary of a tetrahedral mesh with its label: 1 floor, 2 ceiling, 3 + k wall k, 0 none.
+*/
+struct Labelled_facet {
+  std::array<std::size_t, 3> vertices; ///< numbers of the three vertices, in any order
+  int label = 0;
+};
+
+enum Boundary_label {
+  INTERIOR = 0, ///< no boundary facet, or one without label
+  FLOOR = 1,
+  CEILING = 2,
+  FIRST_WALL = 3 ///< wall k has the label `FIRST_WALL + k`
+};
+
+/*!
+\ingroup PkgVolumeMeshParameterizationMesh
+
+is a tetrahedral mesh as lists of points, of quadruples of points and of labelled triangles: what files hold.
+
+\cgalModels{TetrahedralMesh_3}
+
+\tparam Point a point type of a \cgal kernel
+*/
+template <typename Point>
+struct Tetrahedron_soup_3 {
+  using Point_3 = Point;
+
+  std::vector<Point> points;
+  std::vector<std::array<std::size_t, 4>> cells; ///< vertex numbers; the four points are positively oriented
+  std::vector<Labelled_facet> facets;            ///< labelled boundary triangles; may be empty
+
+  std::size_t number_of_vertices() const { return points.size(); }
+  std::size_t number_of_cells() const { return cells.size(); }
+  const Point& point(std::size_t vertex) const { return points[vertex]; }
+  const std::array<std::size_t, 4>& cell(std::size_t c) const { return cells[c]; }
+  const std::vector<Labelled_facet>& labelled_facets() const { return facets; }
+};
+
+} // namespace Volume_mesh_parameterization
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_TETRAHEDRON_SOUP_3_H

@@ -1,0 +1,87 @@
+#undef NDEBUG
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+
+#include <CGAL/Volume_mesh_parameterization/Compact_tetrahedral_mesh_3.h>
+
+#include "test_util.h"
+
+#include <cassert>
+#include <cstdlib>
+#include <iostream>
+
+namespace VMP = CGAL::Volume_mesh_parameterization;
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Point = Kernel::Point_3;
+using Mesh = VMP::Compact_tetrahedral_mesh_3<Kernel>;
+using Soup = VMP::Tetrahedron_soup_3<Point>;
+
+void test_adjacency_is_symmetric(const Mesh& mesh) {
+  for (VMP::Facet_index f : mesh.facets()) {
+    const VMP::Half_facet h = mesh.half_facet(f);
+    assert(mesh.facet(h.cell, h.index) == f);
+    if (mesh.is_boundary(f)) {
+      assert(!mesh.neighbor(h.cell, h.index).is_valid());
+      continue;
+    }
+    const VMP::Half_facet o = mesh.opposite(h);
+    assert(mesh.opposite(o).cell == h.cell && mesh.opposite(o).index == h.index);
+    for (VMP::Vertex_index v : mesh.vertices(h)) assert(mesh.index(o.cell, v) >= 0 && mesh.index(o.cell, v) != o.index);
+  }
+}
+
+// Euler number of the surface: 2 - 2 genus. Labels: every facet got one.
+void test_block(int holes) {
+  const Block_with_holes<Point> block(holes, 2, 3);
+  Mesh mesh;
+  const VMP::Status status = mesh.assign(block.soup());
+  assert(status.ok());
+  test_adjacency_is_symmetric(mesh);
+  std::vector<char> on_boundary(mesh.number_of_vertices(), 0);
+  for (VMP::Facet_index f : mesh.boundary_facets()) {
+    assert(mesh.label(f) >= VMP::FLOOR && mesh.label(f) <= VMP::FIRST_WALL + holes);
+    for (VMP::Vertex_index v : mesh.vertices(f)) on_boundary[v] = 1;
+  }
+  const long vertices = std::count(on_boundary.begin(), on_boundary.end(), 1);
+  assert(vertices - long(mesh.number_of_boundary_facets()) / 2 == 2 - 2 * holes);
+  for (VMP::Cell_index c : mesh.cells())
+    assert(CGAL::orientation(mesh.point(mesh.vertex(c, 0)), mesh.point(mesh.vertex(c, 1)), mesh.point(mesh.vertex(c, 2)),
+                             mesh.point(mesh.vertex(c, 3))) == CGAL::POSITIVE);
+}
+
+VMP::Error_code code_of(const Soup& soup) {
+  Mesh mesh;
+  const VMP::Error_code code = mesh.assign(soup).code();
+  assert(code == VMP::OK || mesh.number_of_cells() == 0);
+  return code;
+}
+
+void test_refusals() {
+  const Soup good = Block_with_holes<Point>(0, 1, 1).soup();
+  assert(code_of(good) == VMP::OK);
+  assert(code_of(Soup()) == VMP::ERROR_EMPTY_MESH);
+  Soup bad = good;
+  bad.cells[3][2] = bad.points.size();
+  assert(code_of(bad) == VMP::ERROR_INDEX_OUT_OF_RANGE);
+  bad = good;
+  bad.cells[3][2] = bad.cells[3][1];
+  assert(code_of(bad) == VMP::ERROR_INDEX_OUT_OF_RANGE);
+  bad = good;
+  bad.cells.push_back(bad.cells[0]);
+  bad.cells.push_back(bad.cells[0]);
+  assert(code_of(bad) == VMP::ERROR_NON_MANIFOLD);
+  bad = good;
+  bad.facets[0].vertices = {0, 0, 0};
+  assert(code_of(bad) == VMP::ERROR_LABEL_NOT_ON_BOUNDARY);
+  bad = good;
+  bad.facets.push_back(bad.facets[0]);
+  assert(code_of(bad) == VMP::OK);
+  ++bad.facets.back().label;
+  assert(code_of(bad) == VMP::ERROR_LABEL_NOT_ON_BOUNDARY);
+}
+
+int main() {
+  for (int holes = 0; holes <= 4; ++holes) test_block(holes);
+  test_refusals();
+  std::cout << "done" << std::endl;
+  return EXIT_SUCCESS;
+}
