@@ -1,0 +1,198 @@
+// Copyright (c) 2026  The Volume_mesh_parameterization authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_CURVE_FIELD_3_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_CURVE_FIELD_3_H
+
+#include <CGAL/license/Volume_mesh_parameterization.h>
+
+#include <CGAL/Volume_mesh_parameterization/Compact_tetrahedral_mesh_3.h>
+#include <CGAL/Volume_mesh_parameterization/Flux_field_3.h>
+#include <CGAL/Volume_mesh_parameterization/Harmonic_function_3.h>
+#include <CGAL/Volume_mesh_parameterization/Product_structure_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Cell_gradients.h>
+#include <CGAL/Volume_mesh_parameterization/internal/nearest_admissible_vector.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+namespace CGAL {
+namespace Volume_mesh_parameterization {
+
+/*!
+\ingroup PkgVolumeMeshParameterizationStructure
+
+chooses what grows at unit speed along a curve, and so what the third parameter w measures.
+*/
+enum Level_function {
+  /// The harmonic function f wherever it grows along the curve at an angle of less than about 84 degrees to its
+  /// gradient; elsewhere a small positive share of its slope. So w grows strictly along every curve, and equals f on
+  /// each curve along which f does.
+  HARMONIC_LEVEL,
+  ARC_LENGTH_LEVEL ///< the length of the curve
+};
+
+/*!
+\ingroup PkgVolumeMeshParameterizationStructure
+
+gives each cell the velocity of the curves that pass through it, as rates of the four barycentric coordinates. Time is
+the level function: the rates say how coordinates change while the level grows by one.
+
+\tparam GeomTraits a model of `VolumeParameterizationTraits_3`
+*/
+template <typename GeomTraits>
+class Curve_field_3 {
+public:
+  using Mesh = Compact_tetrahedral_mesh_3<GeomTraits>;
+  using FT = typename GeomTraits::FT;
+  using Rates = std::array<FT, 4>;
+  using Vector_3 = internal::Double_kernel::Vector_3;
+
+  Curve_field_3() = default;
+
+  /*!
+  constructs the certified field: in each cell the velocity nearest to that of `flux` among those that enter through
+  the entry facets and leave through the exit facets of `structure`, parallel to the walls, and that meet every entry
+  or exit facet at an angle whose sine is at least `least_slope`.
+
+  Complexity: \f$ O(n) \f$.
+  */
+  template <typename Harmonic_function, typename Flux_field>
+  Curve_field_3(const Mesh& mesh, const Product_structure_3<GeomTraits>& structure, const Flux_field& flux,
+                const Harmonic_function& harmonic, Level_function level = HARMONIC_LEVEL, double least_slope = 0.02)
+      : Curve_field_3(mesh) {
+    const double slope = mean_slope(mesh, harmonic);
+    for (Cell_index c : mesh.cells()) {
+      const internal::Cell_gradients cell(mesh, c);
+      for (int i = 0; i < 4; ++i) m_signs[c][i] = static_cast<signed char>(structure.sign(c, i));
+      std::array<double, 4> rates = nearest_rates(cell, m_signs[c], flux.vector(c), least_slope);
+      set_rates(mesh, c, rates, harmonic.gradient(c), level, slope);
+    }
+  }
+
+  /// constructs the field of `flux` itself, whose curves carry no certificate.
+  template <typename Harmonic_function, typename Flux_field>
+  Curve_field_3(const Mesh& mesh, const Flux_field& flux, const Harmonic_function& harmonic,
+                Level_function level = HARMONIC_LEVEL)
+      : Curve_field_3(mesh) {
+    const double slope = mean_slope(mesh, harmonic);
+    for (Cell_index c : mesh.cells()) {
+      for (int i = 0; i < 4; ++i) m_signs[c][i] = static_cast<signed char>(flux.sign(c, i));
+      set_rates(mesh, c, flux.rates(c), harmonic.gradient(c), level, slope);
+    }
+  }
+
+  const Rates& rates(Cell_index c) const { return m_rates[c]; }
+
+  /// returns +1 if curves enter `c` through facet `i`, -1 if they leave there, 0 if they are parallel to it.
+  int sign(Cell_index c, int i) const { return m_signs[c][i]; }
+
+  /// returns the velocity in space, in units of length per level.
+  Vector_3 vector(const Mesh& mesh, Cell_index c) const {
+    Vector_3 v(0, 0, 0);
+    const auto origin = internal::approximate(mesh.point(mesh.vertex(c, 0)));
+    for (int i = 1; i < 4; ++i)
+      v = v + CGAL::to_double(m_rates[c][i]) * (internal::approximate(mesh.point(mesh.vertex(c, i))) - origin);
+    return v;
+  }
+
+  /// tells whether the level of `c` grows as the harmonic function does.
+  bool follows_harmonic_level(Cell_index c) const { return m_follows[c] != 0; }
+
+private:
+  // Least cosine between a curve and grad f at which w still follows f.
+  static constexpr double least_cosine = 0.1;
+  // Least slope of w, in parts of the mean slope of f: keeps w growing in dead ends, where f is flat to rounding.
+  static constexpr double least_relative_slope = 1e-3;
+
+  explicit Curve_field_3(const Mesh& mesh)
+      : m_rates(mesh.number_of_cells()), m_signs(mesh.number_of_cells()), m_follows(mesh.number_of_cells(), 0) {}
+
+  template <typename Harmonic_function>
+  static double mean_slope(const Mesh& mesh, const Harmonic_function& harmonic) {
+    double sum = 0, volume = 0;
+    for (Cell_index c : mesh.cells()) {
+      const double v = internal::Cell_gradients(mesh, c).volume;
+      sum += v * std::sqrt(harmonic.gradient(c).squared_length());
+      volume += v;
+    }
+    return sum / volume;
+  }
+
+  static Eigen::Vector3d eigen(const Vector_3& v) { return {v.x(), v.y(), v.z()}; }
+
+  static std::array<double, 4> nearest_rates(const internal::Cell_gradients& cell, const std::array<signed char, 4>& signs,
+                                             const Vector_3& wish, double least_slope) {
+    if (wish == Vector_3(0, 0, 0)) return {double(signs[0]), double(signs[1]), double(signs[2]), double(signs[3])};
+    std::array<Eigen::Vector3d, 4> normals;
+    std::array<int, 4> facet_signs;
+    for (int i = 0; i < 4; ++i) {
+      normals[i] = eigen(cell.gradients[i]).normalized();
+      facet_signs[i] = signs[i];
+    }
+    const double margin = least_slope * std::sqrt(wish.squared_length());
+    const Eigen::Vector3d v = internal::Admissible_vectors(normals, facet_signs, margin).nearest_to(eigen(wish));
+    std::array<double, 4> rates;
+    for (int i = 0; i < 4; ++i) {
+      const double height_rate = std::max(signs[i] * normals[i].dot(v), margin / 2); // the sign is kept whatever rounding did
+      rates[i] = signs[i] * std::sqrt(cell.gradients[i].squared_length()) * height_rate;
+    }
+    return rates;
+  }
+
+  // Scales to the level function, then derives the rate of greatest size among the exits so that the sum is zero.
+  void set_rates(const Mesh& mesh, Cell_index c, const std::array<double, 4>& rates, const Vector_3& gradient,
+                 Level_function level, double slope) {
+    for (int i = 0; i < 4; ++i) m_rates[c][i] = FT(m_signs[c][i] == 0 ? 0. : rates[i]);
+    balance(c);
+    const double speed = level_speed(vector(mesh, c), gradient, level, slope, m_follows[c]);
+    for (int i = 0; i < 4; ++i) m_rates[c][i] = m_rates[c][i] / FT(speed);
+    balance(c);
+  }
+
+  // The exits take what the entries give: their rates are scaled to the same sum.
+  void balance(Cell_index c) {
+    Rates& r = m_rates[c];
+    FT in(0), out(0);
+    int largest = -1;
+    for (int i = 0; i < 4; ++i) {
+      if (m_signs[c][i] > 0) in += r[i];
+      if (m_signs[c][i] < 0) {
+        out -= r[i];
+        if (largest < 0 || r[i] < r[largest]) largest = i;
+      }
+    }
+    if (largest < 0 || in <= FT(0)) return;
+    FT others(0);
+    for (int i = 0; i < 4; ++i)
+      if (m_signs[c][i] < 0 && i != largest) {
+        r[i] = r[i] * in / out;
+        others -= r[i];
+      }
+    r[largest] = others - in;
+  }
+
+  double level_speed(const Vector_3& v, const Vector_3& gradient, Level_function level, double slope, char& follows) const {
+    const double speed = std::sqrt(v.squared_length());
+    if (level == ARC_LENGTH_LEVEL) return speed > 0 ? speed : 1;
+    const double least = std::max(least_cosine * std::sqrt(gradient.squared_length()), least_relative_slope * slope) * speed;
+    const double growth = v * gradient;
+    follows = growth >= least;
+    return speed > 0 ? std::max(growth, least) : 1;
+  }
+
+  std::vector<Rates> m_rates;
+  std::vector<std::array<signed char, 4>> m_signs;
+  std::vector<char> m_follows;
+};
+
+} // namespace Volume_mesh_parameterization
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_CURVE_FIELD_3_H
