@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <random>
 #include <vector>
 
 // A block [0, 2n + 1] x [0, 3] x [0, height] with n square holes [2k + 1, 2k + 2] x [1, 2] in a row, cut into
@@ -92,5 +93,29 @@ private:
   CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3<Point> m_soup;
   std::map<Site, std::size_t> m_vertices;
 };
+
+// Applies `map` to all points.
+template <typename Soup, typename Map>
+Soup transformed(Soup soup, const Map& map) {
+  for (auto& p : soup.points) p = map(p);
+  return soup;
+}
+
+// Moves the vertices off the boundary by up to `amplitude` in each coordinate. All boundary triangles are labelled.
+template <typename Point>
+CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3<Point>
+jitter_interior(CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3<Point> soup, double amplitude, unsigned seed) {
+  std::vector<char> on_boundary(soup.points.size(), 0);
+  for (const auto& f : soup.facets)
+    for (std::size_t v : f.vertices) on_boundary[v] = 1;
+  std::mt19937 random(seed);
+  const auto offset = [&] { return amplitude * (2. * random() / random.max() - 1); };
+  for (std::size_t v = 0; v < soup.points.size(); ++v) {
+    const double x = offset(), y = offset(), z = offset();
+    const Point& p = soup.points[v];
+    if (!on_boundary[v]) soup.points[v] = Point(p.x() + x, p.y() + y, p.z() + z);
+  }
+  return soup;
+}
 
 #endif // VOLUME_MESH_PARAMETERIZATION_TEST_UTIL_H

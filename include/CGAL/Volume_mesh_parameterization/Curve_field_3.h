@@ -20,6 +20,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <vector>
 
 namespace CGAL {
@@ -70,7 +71,7 @@ public:
     const double slope = mean_slope(mesh, harmonic);
     for (Cell_index c : mesh.cells()) {
       const internal::Cell_gradients cell(mesh, c);
-      for (int i = 0; i < 4; ++i) m_signs[c][i] = static_cast<signed char>(structure.sign(c, i));
+      m_signs[c] = structure.signs(c);
       std::array<double, 4> rates = nearest_rates(cell, m_signs[c], flux.vector(c), least_slope);
       set_rates(mesh, c, rates, harmonic.gradient(c), level, slope);
     }
@@ -83,7 +84,7 @@ public:
       : Curve_field_3(mesh) {
     const double slope = mean_slope(mesh, harmonic);
     for (Cell_index c : mesh.cells()) {
-      for (int i = 0; i < 4; ++i) m_signs[c][i] = static_cast<signed char>(flux.sign(c, i));
+      m_signs[c] = flux.signs(c);
       set_rates(mesh, c, flux.rates(c), harmonic.gradient(c), level, slope);
     }
   }
@@ -127,7 +128,7 @@ private:
 
   static Eigen::Vector3d eigen(const Vector_3& v) { return {v.x(), v.y(), v.z()}; }
 
-  static std::array<double, 4> nearest_rates(const internal::Cell_gradients& cell, const std::array<signed char, 4>& signs,
+  static std::array<double, 4> nearest_rates(const internal::Cell_gradients& cell, const std::array<std::int8_t, 4>& signs,
                                              const Vector_3& wish, double least_slope) {
     if (wish == Vector_3(0, 0, 0)) return {double(signs[0]), double(signs[1]), double(signs[2]), double(signs[3])};
     std::array<Eigen::Vector3d, 4> normals;
@@ -188,7 +189,7 @@ private:
   }
 
   std::vector<Rates> m_rates;
-  std::vector<std::array<signed char, 4>> m_signs;
+  std::vector<std::array<std::int8_t, 4>> m_signs;
   std::vector<char> m_follows;
 };
 

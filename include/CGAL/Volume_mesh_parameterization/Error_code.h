@@ -35,6 +35,7 @@ enum Error_code {
   ERROR_OPEN_SURFACE,              ///< the surface has a border
   ERROR_NON_MANIFOLD,              ///< around an edge or a vertex the mesh is not a manifold
   ERROR_SEVERAL_COMPONENTS,        ///< the mesh or its boundary is not connected
+  ERROR_DEGENERATE_TRIANGLE,       ///< three vertices of a triangle of the surface are collinear
   ERROR_SELF_INTERSECTION,         ///< facets of the surface intersect
   ERROR_FLAT_TETRAHEDRON,          ///< four vertices of a tetrahedron are coplanar
   ERROR_INVERTED_TETRAHEDRON,      ///< a tetrahedron is oriented against the others
@@ -84,6 +85,7 @@ inline const char* get_error_message(Error_code code) {
   case ERROR_OPEN_SURFACE: return "the surface is not closed";
   case ERROR_NON_MANIFOLD: return "the mesh is not manifold";
   case ERROR_SEVERAL_COMPONENTS: return "the mesh or its boundary is not connected";
+  case ERROR_DEGENERATE_TRIANGLE: return "a triangle has no area";
   case ERROR_SELF_INTERSECTION: return "the surface intersects itself";
   case ERROR_FLAT_TETRAHEDRON: return "a tetrahedron is flat";
   case ERROR_INVERTED_TETRAHEDRON: return "a tetrahedron is inverted";

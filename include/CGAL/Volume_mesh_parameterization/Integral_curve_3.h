@@ -119,7 +119,7 @@ public:
   using Mesh = Compact_tetrahedral_mesh_3<GeomTraits>;
   using Field = Curve_field_3<GeomTraits>;
   using Location = Location_3<GeomTraits>;
-  using Floor_point = Floor_point_3<GeomTraits>;
+  using Base_point = Floor_point<GeomTraits>;
   using FT = typename GeomTraits::FT;
 
   /// keeps references to both arguments.
@@ -130,7 +130,7 @@ public:
 
   /// \name Locations
   /// @{
-  Location locate(Floor_point p) const {
+  Location locate(Base_point p) const {
     const Half_facet h = m_mesh->half_facet(p.facet);
     Location at{h.cell, {FT(0), FT(0), FT(0), FT(0)}};
     for (int i = 0; i < 3; ++i) at.barycentric[Mesh::facet_vertices[h.index][i]] = p.barycentric[i];
@@ -138,7 +138,7 @@ public:
   }
 
   /// \pre `at` lies on facet `h` of its cell, a facet of floor or ceiling
-  Floor_point base_point(const Location& at, Half_facet h) const {
+  Base_point base_point(const Location& at, Half_facet h) const {
     const int* v = Mesh::facet_vertices[h.index];
     const FT sum = at.barycentric[v[0]] + at.barycentric[v[1]] + at.barycentric[v[2]];
     return {m_mesh->facet(h.cell, h.index),
@@ -185,7 +185,7 @@ public:
   }
 
   /// traces to the base: the floor for `DOWN`, the ceiling for `UP`.
-  Status trace_to_base(Location at, Curve_direction direction, Floor_point& end, FT& elapsed) const {
+  Status trace_to_base(Location at, Curve_direction direction, Base_point& end, FT& elapsed) const {
     Half_facet arrival;
     const Status status = trace(at, direction, FT(-1), arrival, elapsed);
     if (status.ok()) end = base_point(at, arrival);
@@ -193,7 +193,7 @@ public:
   }
 
   /// appends to `curve` the segments of the curve that starts at `start`, up to the ceiling.
-  Status trace_curve(const Floor_point& start, Integral_curve_3<GeomTraits>& curve) const {
+  Status trace_curve(const Base_point& start, Integral_curve_3<GeomTraits>& curve) const {
     Location at = locate(start);
     Half_facet arrival;
     FT elapsed;

@@ -39,7 +39,7 @@ public:
   using Curves = Integral_curves_3<GeomTraits>;
   using Floor_map = Floor_map_2<GeomTraits>;
   using Location = Location_3<GeomTraits>;
-  using Floor_point = Floor_point_3<GeomTraits>;
+  using Base_point = Floor_point<GeomTraits>;
   using FT = typename GeomTraits::FT;
   using Point_2 = typename GeomTraits::Point_2;
   using Point_3 = typename GeomTraits::Point_3;
@@ -53,7 +53,7 @@ public:
   /// computes \f$ \varphi(p) \f$.
   /// \returns `ERROR_CURVE_LOST`, for uncertified curves only
   Status image(const Location& p, Point_3& result) const {
-    Floor_point floor, ceiling;
+    Base_point floor, ceiling;
     FT below, above;
     Status status = m_curves.trace_to_base(p, DOWN, floor, below);
     if (status.ok()) status = m_curves.trace_to_base(p, UP, ceiling, above);
@@ -67,7 +67,7 @@ public:
   /// \returns `ERROR_OUTSIDE` if q is not in P; `ERROR_CURVE_LOST`, for uncertified curves only
   Status preimage(const Point_3& q, Location& result) const {
     if (q.z() < FT(0) || q.z() > height()) return {ERROR_OUTSIDE, "the third coordinate is not in the height of the prism"};
-    Floor_point floor;
+    Base_point floor;
     Status status = m_floor_map->preimage(Point_2(q.x(), q.y()), floor);
     if (!status.ok()) return status;
     Integral_curve_3<GeomTraits> curve;
@@ -78,7 +78,7 @@ public:
 
   /// appends the preimages of the points of the vertical line over `uv` at heights 0, 1 / `layers`, …, 1.
   Status column(const Point_2& uv, std::size_t layers, std::vector<Point_3>& points) const {
-    Floor_point floor;
+    Base_point floor;
     Status status = m_floor_map->preimage(uv, floor);
     Integral_curve_3<GeomTraits> curve;
     if (status.ok()) status = m_curves.trace_curve(floor, curve);

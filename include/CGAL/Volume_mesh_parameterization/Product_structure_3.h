@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <string>
 #include <utility>
 #include <vector>
@@ -56,11 +57,11 @@ public:
   /// returns the place of `c` in the order.
   std::size_t position(Cell_index c) const { return m_positions[c]; }
 
-  /// returns +1 for an entry facet, -1 for an exit facet, 0 for a wall.
-  int sign(Cell_index c, int i) const { return m_signs[c][i]; }
+  /// returns for each facet of a cell +1 if it is an entry facet, -1 if it is an exit facet, 0 if it is on a wall.
+  const std::array<std::int8_t, 4>& signs(Cell_index c) const { return m_signs[c]; }
 
 private:
-  signed char sign_of(const Mesh& mesh, Half_facet h) const {
+  std::int8_t sign_of(const Mesh& mesh, Half_facet h) const {
     const int label = mesh.label(h.cell, h.index);
     if (label >= FIRST_WALL) return 0;
     if (label != INTERIOR) return label == FLOOR ? 1 : -1;
@@ -69,7 +70,7 @@ private:
 
   std::vector<Cell_index> m_order;
   std::vector<std::uint32_t> m_positions;
-  std::vector<std::array<signed char, 4>> m_signs;
+  std::vector<std::array<std::int8_t, 4>> m_signs;
 };
 
 /*!

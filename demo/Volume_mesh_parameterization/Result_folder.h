@@ -1,0 +1,39 @@
+#ifndef HANDLEBODY_RESULT_FOLDER_H
+#define HANDLEBODY_RESULT_FOLDER_H
+
+#include <CGAL/Volume_mesh_parameterization/Error_code.h>
+#include <CGAL/Volume_mesh_parameterization/indices.h>
+
+#include <string>
+#include <vector>
+
+// The folder with the files of a result. Files of an earlier result are removed first, so that a folder never holds
+// parts of two.
+class Result_folder {
+public:
+  explicit Result_folder(std::string path) : m_path(std::move(path)) {}
+
+  std::string file(const char* name) const { return m_path + "/" + name; }
+  bool has(const char* name) const;
+
+  CGAL::Volume_mesh_parameterization::Status create() const;
+
+  CGAL::Volume_mesh_parameterization::Status
+  write_order(const std::vector<CGAL::Volume_mesh_parameterization::Cell_index>& order) const;
+  CGAL::Volume_mesh_parameterization::Status
+  read_order(std::vector<CGAL::Volume_mesh_parameterization::Cell_index>& order) const;
+  CGAL::Volume_mesh_parameterization::Status write_text(const char* name, const std::string& text) const;
+
+  static constexpr const char* object = "object.mesh";
+  static constexpr const char* order = "order.txt";
+  static constexpr const char* parameter = "parameter.mesh";
+  static constexpr const char* hexahedra = "hex.mesh";
+  static constexpr const char* result = "result.vtu";
+  static constexpr const char* curves = "curves.vtp";
+  static constexpr const char* report = "report.json";
+
+private:
+  std::string m_path;
+};
+
+#endif // HANDLEBODY_RESULT_FOLDER_H

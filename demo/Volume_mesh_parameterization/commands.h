@@ -1,0 +1,37 @@
+#ifndef HANDLEBODY_COMMANDS_H
+#define HANDLEBODY_COMMANDS_H
+
+#include <array>
+#include <optional>
+#include <string>
+
+enum Exit_code {
+  EVERYTHING_CERTIFIED = 0,
+  INPUT_REFUSED = 1,
+  WRONG_USAGE = 2,
+  NOT_CERTIFIED = 3 // what holds is written, the report says what does not
+};
+
+enum class Field { CERTIFIED, FLUX, PAPER };
+
+struct Input_options {
+  std::string file;
+  std::string partition; // "auto", "labels" or empty: labels if the file has them
+  std::optional<std::array<double, 3>> direction;
+  std::size_t number_of_tetrahedra = 30000; // about, for a surface
+};
+
+struct Parameterize_options {
+  Input_options input;
+  std::string folder;
+  Field field = Field::CERTIFIED;
+  std::string solver = "cg";
+  std::size_t number_of_hexahedra = 0;
+  bool quiet = false;
+};
+
+int check(const Input_options& options, bool quiet);
+int parameterize(const Parameterize_options& options);
+int verify(const std::string& folder, bool quiet);
+
+#endif // HANDLEBODY_COMMANDS_H

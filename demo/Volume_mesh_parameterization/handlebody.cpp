@@ -1,0 +1,79 @@
+// The program handlebody: a thin shell over the package Volume_mesh_parameterization.
+
+#include "Chosen_solver_traits.h"
+#include "commands.h"
+
+#include <CLI/CLI.hpp>
+
+#include <iostream>
+#include <map>
+
+namespace {
+
+void add_quiet(CLI::App& command, bool& quiet) { command.add_flag("-q,--quiet", quiet, "say nothing but errors"); }
+
+void add_input(CLI::App& command, Input_options& options) {
+  command.add_option("INPUT", options.file, "a closed triangle surface (.off .obj .ply .stl) or tetrahedra (.mesh .vtk .vtu)")
+      ->required();
+  command.add_option("--tets", options.number_of_tetrahedra, "about how many tetrahedra for a surface input")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+}
+
+void add_parameterize(CLI::App& command, Parameterize_options& options) {
+  add_input(command, options.input);
+  command.add_option("-o,--output", options.folder, "the folder for the result")->required();
+  command.add_option("--partition", options.input.partition, "where floor, ceiling and walls come from; default: labels if INPUT has them, else auto")
+      ->check(CLI::IsMember({"auto", "labels"}));
+  command.add_option("--direction", options.input.direction, "from the floor to the ceiling, as X,Y,Z")->delimiter(',');
+  const std::map<std::string, Field> fields = {
+      {"certified", Field::CERTIFIED}, {"flux", Field::FLUX}, {"paper", Field::PAPER}};
+  command.add_option("--field", options.field, "the curves: certified (default), of the flux itself, or also the paper's averaged gradient for comparison")
+      ->transform(CLI::CheckedTransformer(fields).description("{certified,flux,paper}"));
+  command.add_option("--hexes", options.number_of_hexahedra, "also a hexahedral mesh of about so many cells; 0: none")
+      ->capture_default_str();
+  command.add_option("--solver", options.solver, "for the linear systems")
+      ->check(CLI::IsMember(Chosen_solver_traits::names()))
+      ->capture_default_str();
+  add_quiet(command, options.quiet);
+}
+
+int run(int argc, char** argv) {
+  CLI::App app("Maps handlebodies one to one onto prisms, and meshes them by hexahedra.", "handlebody");
+  app.require_subcommand(1);
+  bool quiet = false;
+
+  CLI::App* check_command = app.add_subcommand("check", "Tells what a file holds: manifold, genus, handlebody, legal labels.");
+  Input_options check_options;
+  add_input(*check_command, check_options);
+  add_quiet(*check_command, quiet);
+
+  CLI::App* parameterize_command = app.add_subcommand("parameterize", "Maps a solid onto a prism.");
+  Parameterize_options parameterize_options;
+  add_parameterize(*parameterize_command, parameterize_options);
+
+  CLI::App* verify_command = app.add_subcommand("verify", "Checks the files of a result again, from scratch.");
+  std::string folder;
+  verify_command->add_option("DIR", folder, "the folder of a result")->required();
+  add_quiet(*verify_command, quiet);
+
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? int(EVERYTHING_CERTIFIED) : int(WRONG_USAGE);
+  }
+  if (*check_command) return check(check_options, quiet);
+  if (*parameterize_command) return parameterize(parameterize_options);
+  return verify(folder, quiet);
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return run(argc, argv);
+  } catch (const std::exception& error) { // out of memory, and what libraries throw
+    std::cerr << "handlebody: " << error.what() << std::endl;
+    return NOT_CERTIFIED;
+  }
+}

@@ -1,0 +1,25 @@
+#ifndef HANDLEBODY_LOAD_INPUT_H
+#define HANDLEBODY_LOAD_INPUT_H
+
+#include "Stage_clock.h"
+#include "commands.h"
+#include "types.h"
+
+#include <CGAL/Volume_mesh_parameterization/Triangle_soup_3.h>
+
+// A tetrahedral mesh with a labelled boundary, and how it came about.
+struct Input {
+  Soup soup;
+  bool is_surface = false;
+  bool has_labels = false;                    // given in the file
+  std::array<double, 3> direction = {0, 0, 0}; // of the automatic partition
+};
+
+bool is_surface_file(const std::string& file);
+VMP::Status read_surface(const std::string& file, VMP::Triangle_soup_3<Point_3>& surface);
+VMP::Status read_tetrahedra(const std::string& file, Mesh& mesh);
+
+// Reads and checks the file, chooses the labels unless they are given, and tetrahedralizes a surface.
+VMP::Status load_input(const Input_options& options, Stage_clock& clock, Input& input);
+
+#endif // HANDLEBODY_LOAD_INPUT_H

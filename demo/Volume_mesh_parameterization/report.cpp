@@ -1,0 +1,129 @@
+#include "report.h"
+
+#include <CGAL/Volume_mesh_parameterization/Weighted_statistics.h>
+#include <CGAL/version.h>
+
+#include <Eigen/Core>
+#include <boost/version.hpp>
+
+namespace {
+
+Json report_statistics(const VMP::Weighted_statistics& s) {
+  return {{"minimum", s.minimum()},
+          {"mean", s.mean()},
+          {"median", s.median()},
+          {"quantile_95", s.quantile(0.95)},
+          {"maximum", s.maximum()}};
+}
+
+// The share of the volume in cells that satisfy a predicate.
+template <typename Predicate>
+double share_of_volume(const Mesh& mesh, const std::vector<double>& volumes, Predicate predicate) {
+  double share = 0, total = 0;
+  for (VMP::Cell_index c : mesh.cells()) {
+    total += volumes[c];
+    if (predicate(c)) share += volumes[c];
+  }
+  return share / total;
+}
+
+Json report_rectangle(const VMP::Rectangle_2& r) {
+  return {{"xmin", r.xmin}, {"ymin", r.ymin}, {"xmax", r.xmax}, {"ymax", r.ymax}};
+}
+
+} // namespace
+
+Json report_status(const VMP::Status& status) {
+  if (status.ok()) return "success";
+  return {{"code", int(status.code())}, {"message", status.message()}};
+}
+
+Json report_stages(const Stage_clock& clock) {
+  Json stages = Json::object();
+  for (const Stage_clock::Stage& s : clock.stages()) stages[s.name] = {{"seconds", s.seconds}, {"bytes", s.bytes}};
+  return stages;
+}
+
+Json report_partition(const VMP::Boundary_partition_3& partition) {
+  Json patches = Json::object();
+  for (const VMP::Boundary_patch_3& p : partition.patches)
+    patches[p.name()] = {{"label", p.label},
+                         {"facets", p.number_of_facets},
+                         {"area", p.area},
+                         {"euler_number", p.euler_number},
+                         {"border_loops", p.number_of_border_loops},
+                         {"components", p.number_of_components}};
+  return patches;
+}
+
+Json report_maximum_principle(const Parameterizer::Harmonic_function& f) {
+  Json violations = Json::array();
+  for (VMP::Vertex_index v : f.maximum_principle_violations()) violations.push_back({{"vertex", std::size_t(v)}, {"f", f(v)}});
+  return {{"share_of_negative_weights", f.share_of_negative_weights()}, {"violations", violations}};
+}
+
+Json report_critical_points(const Mesh& mesh, const std::vector<VMP::Critical_vertex>& points) {
+  Json list = Json::array();
+  for (const VMP::Critical_vertex& p : points) {
+    const Point_3& q = mesh.point(p.vertex);
+    list.push_back({{"vertex", std::size_t(p.vertex)},
+                    {"index", p.index},
+                    {"multiplicity", p.multiplicity},
+                    {"on_wall", p.on_wall},
+                    {"point", {q.x(), q.y(), q.z()}}});
+  }
+  return list;
+}
+
+Json report_angles(const Parameterizer& parameterizer, const std::vector<double>& angles_of_curves) {
+  const Mesh& mesh = parameterizer.mesh();
+  const std::vector<double> volumes = VMP::measure_volumes(mesh, mesh.points());
+  const auto& field = *parameterizer.curve_field();
+  const auto& flux = *parameterizer.flux_field();
+  const std::vector<double> angles_of_flux =
+      angles_to_gradient(parameterizer, [&](VMP::Cell_index c) { return flux.vector(c); });
+  Json json = {{"curves_to_gradient", report_statistics({angles_of_curves, volumes})},
+               {"flux_to_gradient", report_statistics({angles_of_flux, volumes})}};
+  json["share_of_volume_where_w_follows_f"] =
+      share_of_volume(mesh, volumes, [&](VMP::Cell_index c) { return field.follows_harmonic_level(c); });
+  if (const auto* structure = parameterizer.product_structure())
+    json["share_of_volume_where_flux_obeys_the_sweep"] =
+        share_of_volume(mesh, volumes, [&](VMP::Cell_index c) { return flux.signs(c) == structure->signs(c); });
+  return json;
+}
+
+Json report_domain(const VMP::Prism_3<Kernel>& domain) {
+  Json holes = Json::array();
+  for (std::size_t k = 0; k < domain.number_of_holes(); ++k) holes.push_back(report_rectangle(domain.hole(k)));
+  return {{"rectangle", report_rectangle(domain.outer())}, {"holes", holes}, {"height", domain.height()}};
+}
+
+Json report_distortion(const VMP::Distortion_report& report) {
+  return {{"scale", report.scale},
+          {"greatest_singular_value", report_statistics(report.greatest_singular_value)},
+          {"least_singular_value", report_statistics(report.least_singular_value)},
+          {"volume_ratio", report_statistics(report.volume_ratio)},
+          {"symmetric_dirichlet_energy", report_statistics(report.symmetric_dirichlet_energy)}};
+}
+
+Json report_hexahedra(const VMP::Hexahedra_report& report, std::size_t number) {
+  return {{"number", number},
+          {"valid", report.is_valid()},
+          {"inverted", report.inverted},
+          {"below_0.2", report.poor},
+          {"minimum_scaled_jacobian", report.minimum_scaled_jacobian},
+          {"mean_scaled_jacobian", report.mean_scaled_jacobian},
+          {"irregular_interior_edges", report.irregular_edges},
+          {"irregular_interior_vertices", report.irregular_vertices},
+          {"genus", report.genus},
+          {"status", report_status(report.status)}};
+}
+
+Json report_versions() {
+  return {{"handlebody", "0.1.0"},
+          {"CGAL", CGAL_VERSION_STR},
+          {"Boost", BOOST_LIB_VERSION},
+          {"Eigen", std::to_string(EIGEN_WORLD_VERSION) + "." + std::to_string(EIGEN_MAJOR_VERSION) + "." +
+                        std::to_string(EIGEN_MINOR_VERSION)},
+          {"compiler", __VERSION__}};
+}

@@ -1,0 +1,103 @@
+#include "Result_folder.h"
+#include "commands.h"
+#include "types.h"
+
+#include <CGAL/Volume_mesh_parameterization/IO/MEDIT.h>
+#include <CGAL/Volume_mesh_parameterization/check_tetrahedral_mesh.h>
+#include <CGAL/Volume_mesh_parameterization/handlebody_certificate.h>
+#include <CGAL/Volume_mesh_parameterization/validate_partition.h>
+#include <CGAL/Volume_mesh_parameterization/verify_hexahedra.h>
+#include <CGAL/Volume_mesh_parameterization/verify_map.h>
+#include <CGAL/Volume_mesh_parameterization/verify_product.h>
+
+#include <iostream>
+#include <sstream>
+
+using VMP::Status;
+
+namespace {
+
+// Says what holds of each file, or what does not.
+class Verdicts {
+public:
+  explicit Verdicts(bool quiet) : m_quiet(quiet) {}
+
+  bool operator()(const std::string& file, const Status& status, const std::string& what_holds) {
+    if (!status.ok()) {
+      std::cerr << file << ": " << status.message() << std::endl;
+      const bool unreadable = status.code() == VMP::ERROR_CANNOT_READ_FILE || status.code() == VMP::ERROR_WRONG_FORMAT;
+      m_exit_code = unreadable ? INPUT_REFUSED : NOT_CERTIFIED;
+    } else if (!m_quiet)
+      std::cout << file << ": " << what_holds << std::endl;
+    return status.ok();
+  }
+  int exit_code() const { return m_exit_code; }
+
+private:
+  bool m_quiet;
+  int m_exit_code = EVERYTHING_CERTIFIED;
+};
+
+Status verify_object(const Result_folder& folder, Mesh& mesh, std::string& what_holds) {
+  Soup soup;
+  VMP::Boundary_partition_3 partition;
+  VMP::Handlebody_certificate certificate;
+  Status status = VMP::IO::read_MEDIT(folder.file(Result_folder::object), soup);
+  if (status.ok()) status = mesh.assign(soup);
+  if (status.ok()) status = VMP::check_tetrahedral_mesh(mesh);
+  if (status.ok()) status = VMP::validate_partition(mesh, partition);
+  if (status.ok()) status = VMP::certify_handlebody(mesh, certificate);
+  if (status.ok()) status = VMP::validate_fundamental_group(mesh, certificate);
+  what_holds = std::to_string(mesh.number_of_cells()) + " tetrahedra, a handlebody of genus " +
+               std::to_string(partition.genus) + " with a legal partition";
+  return status;
+}
+
+Status verify_order(const Result_folder& folder, const Mesh& mesh) {
+  std::vector<VMP::Cell_index> order;
+  const Status status = folder.read_order(order);
+  return status.ok() ? VMP::verify_product(mesh, order) : status;
+}
+
+Status verify_parameter(const Result_folder& folder, const Mesh& mesh) {
+  Soup images;
+  const Status status = VMP::IO::read_MEDIT(folder.file(Result_folder::parameter), images);
+  if (!status.ok()) return status;
+  bool same = images.points.size() == mesh.number_of_vertices() && images.cells.size() == mesh.number_of_cells();
+  for (VMP::Cell_index c : mesh.cells())
+    same = same && std::equal(mesh.cell(c).begin(), mesh.cell(c).end(), images.cells[c].begin());
+  if (!same) return {VMP::ERROR_MAP_NOT_BIJECTIVE, "it has other vertices or tetrahedra than object.mesh"};
+  return VMP::verify_map(mesh, images.points).status;
+}
+
+Status verify_hexahedra(const Result_folder& folder, std::string& what_holds) {
+  VMP::Hexahedron_soup_3<Point_3> hexahedra;
+  const Status status = VMP::IO::read_MEDIT(folder.file(Result_folder::hexahedra), hexahedra);
+  if (!status.ok()) return status;
+  const VMP::Hexahedra_report report = VMP::verify_hexahedra(hexahedra);
+  std::ostringstream text;
+  text << hexahedra.hexahedra.size() << " hexahedra, none inverted, " << report.irregular_edges
+       << " irregular interior edges, scaled Jacobian at least " << report.minimum_scaled_jacobian << ", in the mean "
+       << report.mean_scaled_jacobian;
+  what_holds = text.str();
+  return report.status;
+}
+
+} // namespace
+
+int verify(const std::string& path, bool quiet) {
+  const Result_folder folder(path);
+  Verdicts verdict(quiet);
+  Mesh mesh;
+  std::string what_holds;
+  Status status = verify_object(folder, mesh, what_holds);
+  if (!verdict(Result_folder::object, status, what_holds)) return verdict.exit_code();
+  verdict(Result_folder::order, verify_order(folder, mesh), "a product certificate: the solid is its floor times an interval");
+  if (folder.has(Result_folder::parameter))
+    verdict(Result_folder::parameter, verify_parameter(folder, mesh), "a piecewise linear bijection");
+  if (folder.has(Result_folder::hexahedra)) {
+    status = verify_hexahedra(folder, what_holds);
+    verdict(Result_folder::hexahedra, status, what_holds);
+  }
+  return verdict.exit_code();
+}

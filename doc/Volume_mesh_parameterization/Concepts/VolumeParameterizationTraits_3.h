@@ -1,0 +1,72 @@
+/*!
+\ingroup PkgVolumeMeshParameterizationConcepts
+\cgalConcept
+
+The concept `VolumeParameterizationTraits_3` gathers the number type, the geometric objects and the predicates of the
+algorithms of this package. Every \cgal kernel is a model.
+
+The predicates must be exact: all topological decisions rest on them. With an exact `FT` the points of curves and the
+images of points under the maps are exact too.
+
+\cgalHasModelsBegin
+\cgalHasModelsBare{Any \cgal kernel with exact predicates}
+\cgalHasModelsEnd
+*/
+class VolumeParameterizationTraits_3
+{
+public:
+
+/// \name Types
+/// @{
+
+/*!
+The number type, a model of `FieldNumberType` that `CGAL::to_double()` takes.
+*/
+typedef unspecified_type FT;
+
+/*!
+The point type of the plane, as in a \cgal kernel.
+*/
+typedef unspecified_type Point_2;
+
+/*!
+The point type of space, as in a \cgal kernel.
+*/
+typedef unspecified_type Point_3;
+
+/*!
+The vector type of space, as in a \cgal kernel.
+*/
+typedef unspecified_type Vector_3;
+
+/*!
+A function object with
+`CGAL::Orientation operator()(const Point_2& p, const Point_2& q, const Point_2& r) const`,
+the exact sign of twice the area of the triangle.
+*/
+typedef unspecified_type Orientation_2;
+
+/*!
+A function object with
+`CGAL::Orientation operator()(const Point_3& p, const Point_3& q, const Point_3& r, const Point_3& s) const`,
+the exact sign of six times the volume of the tetrahedron.
+*/
+typedef unspecified_type Orientation_3;
+
+/// @}
+
+/// \name Operations
+/// @{
+
+/*!
+returns the predicate of the plane.
+*/
+Orientation_2 orientation_2_object() const;
+
+/*!
+returns the predicate of space.
+*/
+Orientation_3 orientation_3_object() const;
+
+/// @}
+};

@@ -1,0 +1,70 @@
+// Copyright (c) 2026  The Volume_mesh_parameterization authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_DEFAULT_SOLVER_TRAITS_3_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_DEFAULT_SOLVER_TRAITS_3_H
+
+#include <CGAL/license/Volume_mesh_parameterization.h>
+
+#include <CGAL/Eigen_solver_traits.h>
+
+#include <Eigen/IterativeLinearSolvers>
+#include <Eigen/SparseCholesky>
+#ifdef CGAL_VOLUME_MESH_PARAMETERIZATION_USE_CHOLMOD
+#include <Eigen/CholmodSupport>
+#endif
+
+namespace CGAL {
+namespace Volume_mesh_parameterization {
+
+/*!
+\ingroup PkgVolumeMeshParameterizationFields
+
+solves the linear systems of the fields by Eigen's method of conjugate gradients, which is faster and smaller than a
+factorization from some ten thousand unknowns on.
+
+\cgalModels{SparseLinearAlgebraWithFactorTraits_d}
+
+\tparam Preconditioner a preconditioner of Eigen
+*/
+template <typename Preconditioner = Eigen::DiagonalPreconditioner<double>>
+class Conjugate_gradient_traits_3
+    : public CGAL::Eigen_solver_traits<Eigen::ConjugateGradient<CGAL::Eigen_sparse_matrix<double>::EigenType,
+                                                                Eigen::Lower, Preconditioner>> {
+public:
+  /// is the relative residual to reach. The recurrence of the method goes on below the rounding errors of the
+  /// solution itself, so this asks for all digits that there are.
+  static constexpr double tolerance = 1e-15;
+  /// is a bound against systems that are not positive definite: a million cells need about two thousand.
+  static constexpr int maximal_number_of_iterations = 20000;
+
+  Conjugate_gradient_traits_3() {
+    this->solver().setTolerance(tolerance);
+    this->solver().setMaxIterations(maximal_number_of_iterations);
+  }
+};
+
+/// \ingroup PkgVolumeMeshParameterizationFields
+/// is what the fields are solved with unless told otherwise.
+using Default_solver_traits_3 = Conjugate_gradient_traits_3<>;
+
+/// \ingroup PkgVolumeMeshParameterizationFields
+/// factorizes by Eigen's \f$ LDL^T \f$: nothing to install, best for small meshes.
+using Simplicial_solver_traits_3 =
+    CGAL::Eigen_solver_traits<Eigen::SimplicialLDLT<CGAL::Eigen_sparse_matrix<double>::EigenType>>;
+
+#if defined(CGAL_VOLUME_MESH_PARAMETERIZATION_USE_CHOLMOD) || defined(DOXYGEN_RUNNING)
+/// \ingroup PkgVolumeMeshParameterizationFields
+/// factorizes by CHOLMOD; exists if `CGAL_VOLUME_MESH_PARAMETERIZATION_USE_CHOLMOD` is defined.
+using Cholmod_solver_traits_3 =
+    CGAL::Eigen_solver_traits<Eigen::CholmodSupernodalLLT<CGAL::Eigen_sparse_matrix<double>::EigenType>>;
+#endif
+
+} // namespace Volume_mesh_parameterization
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_DEFAULT_SOLVER_TRAITS_3_H

@@ -1,0 +1,289 @@
+// Copyright (c) 2026  The Volume_mesh_parameterization authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_FLOOR_MAP_2_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_FLOOR_MAP_2_H
+
+#include <CGAL/license/Volume_mesh_parameterization.h>
+
+#include <CGAL/Volume_mesh_parameterization/Compact_tetrahedral_mesh_3.h>
+#include <CGAL/Volume_mesh_parameterization/Error_code.h>
+#include <CGAL/Volume_mesh_parameterization/Floor_point_3.h>
+#include <CGAL/Volume_mesh_parameterization/Prism_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Bucket_grid_2.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Floor_map_builder.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Incidence_lists.h>
+
+#include <CGAL/number_utils.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <tuple>
+#include <vector>
+
+namespace CGAL {
+namespace Volume_mesh_parameterization {
+
+/*!
+\ingroup PkgVolumeMeshParameterizationMap
+
+is a piecewise linear one-to-one map from the floor of a solid to the base of a prism, a rectangle with as many
+rectangular holes in a row as the floor has holes.
+
+The floor is cut into four trapezoids for each hole (one piece without holes), each trapezoid is embedded by the
+theorem of Tutte and Floater with mean value weights, then the whole is relaxed. Its triangulation is that of the floor
+with some edges bisected. It is checked by exact signs: each triangle is positively oriented and the border runs
+monotonically along the sides, so the map is one to one. The floor is seen from inside: together with w upwards the map
+preserves orientation. With an exact number type `image()` and `preimage()` are inverse to the bit.
+
+\tparam GeomTraits a model of `VolumeParameterizationTraits_3`
+*/
+template <typename GeomTraits>
+class Floor_map_2 {
+public:
+  using Geom_traits = GeomTraits;
+  using FT = typename GeomTraits::FT;
+  using Point_2 = typename GeomTraits::Point_2;
+  using Mesh = Compact_tetrahedral_mesh_3<GeomTraits>;
+  using Domain = Prism_3<GeomTraits>;
+  using Triangle = std::array<std::uint32_t, 3>;
+
+  /// \name Construction
+  /// @{
+
+  /// maps the floor of `mesh`, whose partition is valid. Near linear, but for a sparse factorization in the plane.
+  /// The outer rim is the longest one; each rim of the domain carries the label of the wall that meets it. The area of
+  /// the base is about that of the floor, the height of the prism the volume of `mesh` over the mean area of floor
+  /// and ceiling.
+  /// \returns `ERROR_NUMBER_OF_PATCHES` (no floor), `ERROR_NON_MANIFOLD`, `ERROR_PATCH_NOT_A_SURFACE`,
+  /// `ERROR_PATCH_NOT_CONNECTED` or `ERROR_PATCH_TOPOLOGY` if the floor is no disk with holes, `ERROR_CANNOT_SOLVE`,
+  /// `ERROR_FLOOR_MAP` if triangles are flipped
+  Status build(const Mesh& mesh) {
+    *this = Floor_map_2();
+    internal::Floor_map_builder<GeomTraits> builder(mesh);
+    const Status status = builder.build();
+    if (!status.ok()) return status;
+    m_surface = std::move(builder.surface);
+    m_mesh_vertices = std::move(builder.mesh_vertices);
+    for (const auto& p : builder.images) m_images.push_back(Point_2(p.x(), p.y()));
+    set_domain(builder, mesh);
+    index_triangles(mesh.number_of_boundary_facets());
+    index_border();
+    return {};
+  }
+
+  /// @}
+  /// \name Access
+  /// @{
+
+  const Domain& domain() const { return m_domain; }
+
+  std::size_t number_of_vertices() const { return m_images.size(); }
+  std::size_t number_of_triangles() const { return m_surface.number_of_triangles(); }
+  /// returns the vertices of triangle `t` of the refined floor, counterclockwise in the plane.
+  const Triangle& triangle(std::size_t t) const { return m_surface.triangles()[t]; }
+  /// returns the facet of the mesh that triangle `t` is a part of.
+  Facet_index parent(std::size_t t) const { return m_surface.parent(t); }
+  /// returns corner `i` of triangle `t` as a point of the floor.
+  Floor_point<GeomTraits> corner(std::size_t t, int i) const {
+    const auto& w = m_surface.weights(t)[i];
+    return {parent(t), {FT(w[0]), FT(w[1]), FT(w[2])}};
+  }
+  /// returns the image of vertex `v` of the refined floor.
+  const Point_2& image(std::size_t v) const { return m_images[v]; }
+  /// returns the vertex of the mesh that vertex `v` of the refined floor is; invalid if it is the midpoint of an edge.
+  Vertex_index mesh_vertex(std::size_t v) const {
+    return v < m_mesh_vertices.size() ? m_mesh_vertices[v] : Vertex_index();
+  }
+
+  /// @}
+  /// \name Evaluation
+  /// @{
+
+  /// returns the image of the point of `floor_facet` with the given weights. Points on the rims of the floor, with a
+  /// weight of exactly 0, come to lie on sides of the domain exactly. In time proportional to the parts of the facet.
+  /// \pre `floor_facet` is on the floor, the weights are not negative and sum up to one
+  Point_2 image(Facet_index floor_facet, const std::array<FT, 3>& barycentric) const {
+    const Chart chart(barycentric);
+    const Point_2 p = chart.point(barycentric);
+    const auto parts = m_parts[floor_facet];
+    const auto corners = [&](std::uint32_t t) { return chart_corners(t, chart); };
+    auto part = std::find_if(parts.begin(), parts.end(), [&](auto t) { return contains(corners(t), p); });
+    if (part == parts.end()) part = parts.begin(); // a weight is negative: extend the map
+    const Triangle& t = triangle(*part);
+    return combine(weights_in(corners(*part), p), {m_images[t[0]], m_images[t[1]], m_images[t[2]]});
+  }
+  Point_2 image(const Floor_point<GeomTraits>& p) const { return image(p.facet, p.barycentric); }
+
+  /// finds the point of the floor with image `p` in about constant time. If `p` is on a side of the domain, then
+  /// the weight of the vertex off the rim is exactly 0.
+  /// \returns `ERROR_OUTSIDE` if `p` is outside of the domain or in a hole
+  Status preimage(const Point_2& p, Floor_point<GeomTraits>& result) const {
+    const Bounded_side side = m_domain.bounded_side(p);
+    if (side == ON_BOUNDARY) return border_preimage(p, result), Status();
+    const auto is_in = [&](std::uint32_t t) { return contains(image_corners(t), p); };
+    const std::uint32_t t = side == ON_BOUNDED_SIDE ? m_grid.find(p, is_in) : internal::Refined_surface::none;
+    if (t == internal::Refined_surface::none)
+      return {ERROR_OUTSIDE, "(" + std::to_string(CGAL::to_double(p.x())) + ", " +
+                                 std::to_string(CGAL::to_double(p.y())) + ")"};
+    result = combine_corners(t, weights_in(image_corners(t), p));
+    return {};
+  }
+  /// @}
+
+private:
+  using Corners = std::array<Point_2, 3>;
+  using Weights = std::array<FT, 3>;
+
+  // A facet as a triangle of the plane: two of the three weights, without the greatest. A weight of 0 is kept.
+  struct Chart {
+    int x, y;
+
+    explicit Chart(const Weights& w) {
+      const int greatest = int(std::max_element(w.begin(), w.end()) - w.begin());
+      x = (greatest + 1) % 3;
+      y = (greatest + 2) % 3;
+    }
+    template <typename Number>
+    Point_2 point(const std::array<Number, 3>& w) const {
+      return Point_2(w[x], w[y]);
+    }
+  };
+
+  // An edge of the border, on the line where coordinate `axis` is `plane`.
+  struct Border_edge {
+    int axis;
+    double plane, low, high; // ends in the other coordinate
+    std::uint32_t half_edge;
+  };
+
+  Corners image_corners(std::uint32_t t) const {
+    const Triangle& v = triangle(t);
+    return {m_images[v[0]], m_images[v[1]], m_images[v[2]]};
+  }
+
+  Corners chart_corners(std::uint32_t t, const Chart& chart) const {
+    const auto& w = m_surface.weights(t);
+    return {chart.point(w[0]), chart.point(w[1]), chart.point(w[2])};
+  }
+
+  // Either orientation of the corners will do.
+  static bool contains(const Corners& c, const Point_2& p) {
+    const typename GeomTraits::Orientation_2 orientation = GeomTraits().orientation_2_object();
+    const Orientation o[] = {orientation(c[0], c[1], p), orientation(c[1], c[2], p),
+                             orientation(c[2], c[0], p)};
+    const bool left = std::count(o, o + 3, LEFT_TURN) > 0, right = std::count(o, o + 3, RIGHT_TURN) > 0;
+    return !(left && right);
+  }
+
+  static FT area(const Point_2& a, const Point_2& b, const Point_2& p) {
+    return (b.x() - a.x()) * (p.y() - a.y()) - (b.y() - a.y()) * (p.x() - a.x());
+  }
+
+  // p is in the triangle, so that negative weights are rounding errors.
+  static Weights weights_in(const Corners& c, const Point_2& p) {
+    const FT whole = area(c[0], c[1], c[2]);
+    Weights w;
+    for (int i = 0; i < 3; ++i) w[i] = (std::max)(FT(0), FT(area(c[(i + 1) % 3], c[(i + 2) % 3], p) / whole));
+    const FT sum = w[0] + w[1] + w[2];
+    for (FT& weight : w) weight /= sum;
+    return w;
+  }
+
+  // Starts from the nearest corner: a coordinate that all corners of non-zero weight share is kept.
+  static Point_2 combine(const Weights& w, const Corners& c) {
+    const int n = int(std::max_element(w.begin(), w.end()) - w.begin()), i = (n + 1) % 3, j = (n + 2) % 3;
+    return Point_2(c[n].x() + (w[i] * (c[i].x() - c[n].x()) + w[j] * (c[j].x() - c[n].x())),
+                   c[n].y() + (w[i] * (c[i].y() - c[n].y()) + w[j] * (c[j].y() - c[n].y())));
+  }
+
+  Floor_point<GeomTraits> combine_corners(std::uint32_t t, const Weights& w) const {
+    Floor_point<GeomTraits> result{parent(t), {FT(0), FT(0), FT(0)}};
+    for (int i = 0; i < 3; ++i)
+      for (int k = 0; k < 3; ++k) result.barycentric[k] += w[i] * FT(m_surface.weights(t)[i][k]);
+    return result;
+  }
+
+  // p lies on a side of the domain, so on an edge of the border.
+  void border_preimage(const Point_2& p, Floor_point<GeomTraits>& result) const {
+    const auto is_after = [](const auto& key, const Border_edge& e) {
+      return key < std::make_tuple(e.axis, FT(e.plane), FT(e.low));
+    };
+    for (int axis = 0; axis < 2; ++axis) {
+      const FT& along = p[1 - axis];
+      auto e =
+          std::upper_bound(m_border.begin(), m_border.end(), std::make_tuple(axis, p[axis], along), is_after);
+      if (e == m_border.begin()) continue;
+      --e;
+      if (e->axis != axis || p[axis] != e->plane || along > e->high) continue;
+      const std::uint32_t h = e->half_edge;
+      const bool forward = m_images[m_surface.source(h)][1 - axis] == e->low;
+      const FT share = (along - e->low) / (FT(e->high) - e->low);
+      Weights w = {FT(0), FT(0), FT(0)};
+      w[(forward ? h : m_surface.next(h)) % 3] = 1 - share;
+      w[(forward ? m_surface.next(h) : h) % 3] = share;
+      result = combine_corners(h / 3, w);
+      return;
+    }
+  }
+
+  void set_domain(const internal::Floor_map_builder<GeomTraits>& builder, const Mesh& mesh) {
+    const std::vector<Rectangle_2>& r = builder.rectangles;
+    m_domain = Domain(r[0], std::vector<Rectangle_2>(r.begin() + 1, r.end()), mean_height(mesh));
+    for (std::size_t rim = 0; rim < r.size(); ++rim) m_domain.set_wall_label(rim, builder.wall_labels[rim]);
+  }
+
+  static double mean_height(const Mesh& mesh) {
+    const auto point = [&](Vertex_index v) { return internal::approximate(mesh.point(v)); };
+    double volume = 0, bases = 0;
+    for (Cell_index c : mesh.cells()) {
+      const auto& v = mesh.cell(c);
+      volume += CGAL::abs(CGAL::volume(point(v[0]), point(v[1]), point(v[2]), point(v[3])));
+    }
+    for (Facet_index f : mesh.boundary_facets()) {
+      const auto v = mesh.vertices(f);
+      if (mesh.label(f) == FLOOR || mesh.label(f) == CEILING)
+        bases += std::sqrt(CGAL::squared_area(point(v[0]), point(v[1]), point(v[2])));
+    }
+    return 2 * volume / bases;
+  }
+
+  void index_triangles(std::size_t number_of_facets) {
+    const auto parent_of = [this](std::uint32_t t) { return std::array<Facet_index, 1>{parent(t)}; };
+    m_parts = internal::Incidence_lists<Facet_index, std::uint32_t>(number_of_facets, number_of_triangles(),
+                                                                    parent_of);
+    const Rectangle_2& box = m_domain.outer();
+    m_grid = internal::Bucket_grid_2(box.xmin, box.ymin, box.xmax, box.ymax, m_surface.triangles(), m_images);
+  }
+
+  void index_border() {
+    for (std::uint32_t h = 0; h < m_surface.number_of_half_edges(); ++h) {
+      if (!m_surface.is_border(h)) continue;
+      const Point_2 &p = m_images[m_surface.source(h)], &q = m_images[m_surface.target(h)];
+      const int axis = p.x() == q.x() ? 0 : 1;
+      const double a = CGAL::to_double(p[1 - axis]), b = CGAL::to_double(q[1 - axis]);
+      m_border.push_back({axis, CGAL::to_double(p[axis]), std::min(a, b), std::max(a, b), h});
+    }
+    std::sort(m_border.begin(), m_border.end(), [](const Border_edge& e, const Border_edge& f) {
+      return std::tie(e.axis, e.plane, e.low) < std::tie(f.axis, f.plane, f.low);
+    });
+  }
+
+  Domain m_domain;
+  internal::Refined_surface m_surface;
+  std::vector<Vertex_index> m_mesh_vertices; // of the first vertices of the refined floor
+  std::vector<Point_2> m_images;
+  internal::Incidence_lists<Facet_index, std::uint32_t> m_parts; // of each facet of the mesh
+  internal::Bucket_grid_2 m_grid;
+  std::vector<Border_edge> m_border; // sorted by axis, plane and lower end
+};
+
+} // namespace Volume_mesh_parameterization
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_FLOOR_MAP_2_H

@@ -1,0 +1,156 @@
+// Copyright (c) 2026  The Volume_mesh_parameterization authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_PRISM_3_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_PRISM_3_H
+
+#include <CGAL/license/Volume_mesh_parameterization.h>
+
+#include <CGAL/Volume_mesh_parameterization/Tetrahedron_soup_3.h>
+
+#include <CGAL/enum.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Volume_mesh_parameterization {
+
+/*!
+\ingroup PkgVolumeMeshParameterizationMap
+
+is the rectangle [`xmin`, `xmax`] × [`ymin`, `ymax`].
+*/
+struct Rectangle_2 {
+  double xmin = 0, ymin = 0, xmax = 0, ymax = 0;
+
+  double width() const { return xmax - xmin; }
+  double height() const { return ymax - ymin; }
+  double area() const { return width() * height(); }
+  /// returns the corners counterclockwise, that of least coordinates first.
+  std::array<std::array<double, 2>, 4> corners() const {
+    return {{{xmin, ymin}, {xmax, ymin}, {xmax, ymax}, {xmin, ymax}}};
+  }
+
+  bool operator==(const Rectangle_2& r) const { return corners() == r.corners(); }
+
+  /// returns on which side of the rectangle a point is; exact if the comparison of its coordinates with a `double` is.
+  template <typename Point_2>
+  Bounded_side bounded_side(const Point_2& p) const {
+    if (p.x() < xmin || p.x() > xmax || p.y() < ymin || p.y() > ymax) return ON_UNBOUNDED_SIDE;
+    const bool inside = p.x() > xmin && p.x() < xmax && p.y() > ymin && p.y() < ymax;
+    return inside ? ON_BOUNDED_SIDE : ON_BOUNDARY;
+  }
+};
+
+/*!
+\ingroup PkgVolumeMeshParameterizationMap
+
+is the simplest domain: a rectangle with rectangular holes in a row, times the interval [0, height]. The planes of its
+sides are any real numbers.
+
+Each rim of the base, number 0 the outer one and number 1 + k that of hole k, carries the label of a wall.
+
+\cgalModels{ParameterDomain_3}
+
+\tparam GeomTraits a model of `VolumeParameterizationTraits_3`
+*/
+template <typename GeomTraits>
+class Prism_3 {
+public:
+  using Geom_traits = GeomTraits;
+  using Point_2 = typename GeomTraits::Point_2;
+  using Point_3 = typename GeomTraits::Point_3;
+
+  Prism_3() = default;
+
+  /// constructs the prism with the walls labelled `FIRST_WALL`, `FIRST_WALL + 1`, … in the order of the rims.
+  Prism_3(const Rectangle_2& outer, const std::vector<Rectangle_2>& holes, double height)
+      : m_rims(1, outer), m_height(height) {
+    m_rims.insert(m_rims.end(), holes.begin(), holes.end());
+    for (std::size_t rim = 0; rim < m_rims.size(); ++rim) m_wall_labels.push_back(FIRST_WALL + int(rim));
+  }
+
+  /// returns whether all rectangles and the height are positive, and the holes are sorted by x, disjoint and strictly
+  /// inside.
+  bool is_valid() const {
+    if (m_rims.empty() || !(m_height > 0) || !is_positive(outer())) return false;
+    double left = outer().xmin;
+    for (std::size_t k = 0; k < number_of_holes(); left = hole(k++).xmax)
+      if (!is_positive(hole(k)) || !(hole(k).xmin > left) || !(hole(k).ymin > outer().ymin) ||
+          !(hole(k).ymax < outer().ymax))
+        return false;
+    return left < outer().xmax;
+  }
+
+  std::size_t number_of_rims() const { return m_rims.size(); }
+  std::size_t number_of_holes() const { return m_rims.size() - 1; }
+  const Rectangle_2& rim(std::size_t r) const { return m_rims[r]; }
+  const Rectangle_2& outer() const { return m_rims[0]; }
+  const Rectangle_2& hole(std::size_t k) const { return m_rims[k + 1]; }
+  double height() const { return m_height; }
+
+  double base_area() const {
+    double area = outer().area();
+    for (std::size_t k = 0; k < number_of_holes(); ++k) area -= hole(k).area();
+    return area;
+  }
+
+  int wall_label(std::size_t rim) const { return m_wall_labels[rim]; }
+  void set_wall_label(std::size_t rim, int label) { m_wall_labels[rim] = label; }
+
+  /// returns the corners of the base, four for each rim.
+  std::vector<Point_2> base_corners() const {
+    std::vector<Point_2> corners;
+    for (const Rectangle_2& rim : m_rims)
+      for (const std::array<double, 2>& c : rim.corners()) corners.push_back(Point_2(c[0], c[1]));
+    return corners;
+  }
+
+  /// returns the rim that `p` lies on, or the number of rims.
+  std::size_t rim_at(const Point_2& p) const {
+    const auto at_p = [&p](const Rectangle_2& rim) { return rim.bounded_side(p) == ON_BOUNDARY; };
+    return std::find_if(m_rims.begin(), m_rims.end(), at_p) - m_rims.begin();
+  }
+
+  /// returns on which side of the base `p` is.
+  Bounded_side bounded_side(const Point_2& p) const {
+    if (rim_at(p) != number_of_rims()) return ON_BOUNDARY;
+    const auto contains_p = [&p](const Rectangle_2& rim) { return rim.bounded_side(p) == ON_BOUNDED_SIDE; };
+    return std::count_if(m_rims.begin(), m_rims.end(), contains_p) == 1 ? ON_BOUNDED_SIDE : ON_UNBOUNDED_SIDE;
+  }
+
+  /// returns on which side of the prism `p` is.
+  Bounded_side bounded_side(const Point_3& p) const {
+    const Bounded_side base = bounded_side(Point_2(p.x(), p.y()));
+    if (base == ON_UNBOUNDED_SIDE || p.z() < 0 || p.z() > m_height) return ON_UNBOUNDED_SIDE;
+    return base == ON_BOUNDARY || p.z() == 0 || p.z() == m_height ? ON_BOUNDARY : ON_BOUNDED_SIDE;
+  }
+
+  /// returns the label of the side that `p` lies on: floor and ceiling before walls, `INTERIOR` if it is on none.
+  int label(const Point_3& p) const {
+    if (bounded_side(p) != ON_BOUNDARY) return INTERIOR;
+    if (p.z() == 0) return FLOOR;
+    if (p.z() == m_height) return CEILING;
+    return wall_label(rim_at(Point_2(p.x(), p.y())));
+  }
+
+private:
+  static bool is_positive(const Rectangle_2& r) { return r.width() > 0 && r.height() > 0; }
+
+  std::vector<Rectangle_2> m_rims;
+  std::vector<int> m_wall_labels;
+  double m_height = 0;
+};
+
+} // namespace Volume_mesh_parameterization
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_PRISM_3_H

@@ -1,0 +1,253 @@
+// Copyright (c) 2026  The Volume_mesh_parameterization authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_CHECK_TETRAHEDRAL_MESH_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_CHECK_TETRAHEDRAL_MESH_H
+
+#include <CGAL/license/Volume_mesh_parameterization.h>
+
+#include <CGAL/Volume_mesh_parameterization/Compact_tetrahedral_mesh_3.h>
+#include <CGAL/Volume_mesh_parameterization/Error_code.h>
+#include <CGAL/Volume_mesh_parameterization/Tetrahedron_soup_3.h>
+#include <CGAL/Volume_mesh_parameterization/indices.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Disjoint_sets.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Edge_numbering.h>
+#include <CGAL/Volume_mesh_parameterization/internal/check_coordinates.h>
+#include <CGAL/Volume_mesh_parameterization/internal/remove_unused_points.h>
+
+#include <CGAL/Kernel_traits.h>
+#include <CGAL/enum.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Volume_mesh_parameterization {
+
+/*!
+\ingroup PkgVolumeMeshParameterizationMesh
+
+turns every cell of `soup` around if all of them are negatively oriented, as some programs write them; otherwise does
+nothing.
+
+\returns whether the cells were turned around
+*/
+template <typename Point>
+bool orient_cells(Tetrahedron_soup_3<Point>& soup) {
+  const typename Kernel_traits<Point>::Kernel::Orientation_3 orientation;
+  const std::vector<Point>& p = soup.points;
+  const auto is_negative = [&](const std::array<std::size_t, 4>& v) {
+    return std::all_of(
+               v.begin(), v.end(),
+               [&](std::size_t i) { return i < p.size() && internal::has_finite_coordinates(p[i]); }) &&
+           orientation(p[v[0]], p[v[1]], p[v[2]], p[v[3]]) == NEGATIVE;
+  };
+  if (soup.cells.empty() || !std::all_of(soup.cells.begin(), soup.cells.end(), is_negative)) return false;
+  for (auto& cell : soup.cells) std::swap(cell[2], cell[3]);
+  return true;
+}
+
+/*!
+\ingroup PkgVolumeMeshParameterizationMesh
+
+removes the points that are in no tetrahedron and no labelled facet; the others keep their order.
+
+\pre all vertex numbers are in range
+*/
+template <typename Point>
+void remove_isolated_points(Tetrahedron_soup_3<Point>& soup) {
+  internal::remove_unused_points(soup.points, [&](const auto& visit) {
+    for (auto& cell : soup.cells)
+      for (std::size_t& v : cell) visit(v);
+    for (Labelled_facet& facet : soup.facets)
+      for (std::size_t& v : facet.vertices) visit(v);
+  });
+}
+
+/*!
+\ingroup PkgVolumeMeshParameterizationVerification
+
+checks that coordinates are finite and that each cell is positively oriented, by the predicate of the kernel.
+
+\returns `ERROR_COORDINATE_NOT_FINITE`, `ERROR_FLAT_TETRAHEDRON` or `ERROR_INVERTED_TETRAHEDRON`
+*/
+template <typename GeomTraits>
+Status check_orientations(const Compact_tetrahedral_mesh_3<GeomTraits>& mesh) {
+  const Status status = internal::check_coordinates(
+      mesh.number_of_vertices(), [&](std::size_t v) -> decltype(auto) { return mesh.point(v); });
+  if (!status.ok()) return status;
+  const typename GeomTraits::Orientation_3 orientation;
+  for (Cell_index c : mesh.cells()) {
+    const auto& v = mesh.cell(c);
+    const Orientation sign =
+        orientation(mesh.point(v[0]), mesh.point(v[1]), mesh.point(v[2]), mesh.point(v[3]));
+    if (sign != POSITIVE)
+      return {sign == ZERO ? ERROR_FLAT_TETRAHEDRON : ERROR_INVERTED_TETRAHEDRON,
+              "tetrahedron " + std::to_string(c) + " with vertices " + std::to_string(v[0]) + ", " +
+                  std::to_string(v[1]) + ", " + std::to_string(v[2]) + " and " + std::to_string(v[3])};
+  }
+  return {};
+}
+
+/*!
+\ingroup PkgVolumeMeshParameterizationVerification
+
+checks that the cells are connected through facets, in linear time.
+
+\returns `ERROR_SEVERAL_COMPONENTS`
+*/
+template <typename GeomTraits>
+Status check_connected(const Compact_tetrahedral_mesh_3<GeomTraits>& mesh) {
+  internal::Disjoint_sets components(mesh.number_of_cells());
+  for (Facet_index f : mesh.facets())
+    if (!mesh.is_boundary(f)) components.join(mesh.half_facet(f, 0).cell, mesh.half_facet(f, 1).cell);
+  const std::size_t n = components.number_of_sets();
+  if (n == 1) return {};
+  return {ERROR_SEVERAL_COMPONENTS,
+          "the tetrahedra form " + std::to_string(n) + " parts that share no facet"};
+}
+
+namespace internal {
+
+// Numbers the corners of the cells and joins those at the same vertex of neighboring cells.
+template <typename GeomTraits>
+Disjoint_sets connected_corners(const Compact_tetrahedral_mesh_3<GeomTraits>& mesh) {
+  Disjoint_sets corners(4 * mesh.number_of_cells());
+  for (Facet_index f : mesh.facets()) {
+    if (mesh.is_boundary(f)) continue;
+    const Half_facet h = mesh.half_facet(f, 0), o = mesh.half_facet(f, 1);
+    for (int i = 0; i < 4; ++i)
+      if (i != h.index) corners.join(4 * h.cell + i, 4 * o.cell + mesh.index(o.cell, mesh.vertex(h.cell, i)));
+  }
+  return corners;
+}
+
+template <typename GeomTraits>
+Status check_links_connected(const Compact_tetrahedral_mesh_3<GeomTraits>& mesh) {
+  const Disjoint_sets corners = connected_corners(mesh);
+  std::vector<int> parts(mesh.number_of_vertices(), 0);
+  for (Cell_index c : mesh.cells())
+    for (int i = 0; i < 4; ++i) parts[mesh.vertex(c, i)] += corners.is_representative(4 * c + i);
+  for (Vertex_index v : mesh.vertices())
+    if (parts[v] != 1)
+      return {ERROR_NON_MANIFOLD,
+              "vertex " + std::to_string(v) +
+                  (parts[v] == 0 ? " is in no tetrahedron"
+                                 : " joins " + std::to_string(parts[v]) +
+                                       " groups of tetrahedra that share no facet there")};
+  return {};
+}
+
+template <typename GeomTraits>
+std::vector<char> vertices_on_boundary(const Compact_tetrahedral_mesh_3<GeomTraits>& mesh) {
+  std::vector<char> on_boundary(mesh.number_of_vertices(), 0);
+  for (Facet_index f : mesh.boundary_facets())
+    for (Vertex_index v : mesh.vertices(f)) on_boundary[v] = 1;
+  return on_boundary;
+}
+
+// The Euler number of the link of each vertex: edges at the vertex - facets at it + cells at it.
+template <typename GeomTraits>
+std::vector<int> link_euler_numbers(const Compact_tetrahedral_mesh_3<GeomTraits>& mesh) {
+  std::vector<int> euler(mesh.number_of_vertices(), 0);
+  const Edge_numbering edges(mesh);
+  for (Edge_index e : edges.edges())
+    for (Vertex_index v : edges.ends(e)) ++euler[v];
+  for (Facet_index f : mesh.facets())
+    for (Vertex_index v : mesh.vertices(f)) --euler[v];
+  for (Cell_index c : mesh.cells())
+    for (Vertex_index v : mesh.cell(c)) ++euler[v];
+  return euler;
+}
+
+} // namespace internal
+
+/*!
+\ingroup PkgVolumeMeshParameterizationVerification
+
+checks that the mesh is a 3-manifold with boundary: that the link of each vertex is a sphere inside and a disk on the
+boundary.
+
+A connected link of Euler number 2 without border is a sphere, of 1 with border a disk, even if it might be pinched:
+a connected surface has no greater Euler number than that, and taking a pinched surface apart makes it greater.
+
+\returns `ERROR_NON_MANIFOLD`, also for a vertex that is in no tetrahedron
+*/
+template <typename GeomTraits>
+Status check_vertex_links(const Compact_tetrahedral_mesh_3<GeomTraits>& mesh) {
+  const Status status = internal::check_links_connected(mesh);
+  if (!status.ok()) return status;
+  const std::vector<char> on_boundary = internal::vertices_on_boundary(mesh);
+  const std::vector<int> euler = internal::link_euler_numbers(mesh);
+  for (Vertex_index v : mesh.vertices())
+    if (euler[v] != (on_boundary[v] ? 1 : 2))
+      return {ERROR_NON_MANIFOLD, "the link of vertex " + std::to_string(v) + " is no " +
+                                      (on_boundary[v] ? "disk" : "sphere") + ": its Euler number is " +
+                                      std::to_string(euler[v])};
+  return {};
+}
+
+/*!
+\ingroup PkgVolumeMeshParameterizationVerification
+
+checks that the boundary is connected, that is that the solid has no cavity.
+
+\returns `ERROR_SEVERAL_COMPONENTS`
+*/
+template <typename GeomTraits>
+Status check_boundary_connected(const Compact_tetrahedral_mesh_3<GeomTraits>& mesh) {
+  internal::Disjoint_sets components(mesh.number_of_vertices());
+  for (Facet_index f : mesh.boundary_facets())
+    for (Vertex_index v : mesh.vertices(f)) components.join(v, mesh.vertices(f)[0]);
+  const std::vector<char> on_boundary = internal::vertices_on_boundary(mesh);
+  std::size_t n = 0;
+  for (Vertex_index v : mesh.vertices()) n += on_boundary[v] && components.is_representative(v);
+  if (n == 1) return {};
+  return {ERROR_SEVERAL_COMPONENTS,
+          "the boundary has " + std::to_string(n) + " components: the solid has a cavity"};
+}
+
+/*!
+\ingroup PkgVolumeMeshParameterizationVerification
+
+checks that the mesh is a connected 3-manifold of positive tetrahedra whose boundary is connected, in
+\f$ O(n \log n) \f$.
+
+\returns the error of the first check that fails: `check_orientations()`, `check_connected()`, `check_vertex_links()`,
+`check_boundary_connected()`
+*/
+template <typename GeomTraits>
+Status check_tetrahedral_mesh(const Compact_tetrahedral_mesh_3<GeomTraits>& mesh) {
+  if (mesh.number_of_cells() == 0) return {ERROR_EMPTY_MESH, "it has no tetrahedra"};
+  Status status = check_orientations(mesh);
+  if (status.ok()) status = check_connected(mesh);
+  if (status.ok()) status = check_vertex_links(mesh);
+  return status.ok() ? check_boundary_connected(mesh) : status;
+}
+
+/*!
+\ingroup PkgVolumeMeshParameterizationVerification
+
+returns the genus of the boundary of a mesh that `check_tetrahedral_mesh()` accepts, from its Euler number.
+*/
+template <typename GeomTraits>
+int boundary_genus(const Compact_tetrahedral_mesh_3<GeomTraits>& mesh) {
+  const std::vector<char> on_boundary = internal::vertices_on_boundary(mesh);
+  const auto vertices = std::count(on_boundary.begin(), on_boundary.end(), 1);
+  return int(1 - (vertices - std::ptrdiff_t(mesh.number_of_boundary_facets() / 2)) /
+                     2); // V - E + F with 2 E = 3 F
+}
+
+} // namespace Volume_mesh_parameterization
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_CHECK_TETRAHEDRAL_MESH_H

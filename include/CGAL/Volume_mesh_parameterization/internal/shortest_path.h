@@ -1,0 +1,66 @@
+// Copyright (c) 2026  The Volume_mesh_parameterization authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_SHORTEST_PATH_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_SHORTEST_PATH_H
+
+#include <CGAL/license/Volume_mesh_parameterization.h>
+
+#include <CGAL/Volume_mesh_parameterization/internal/Refined_surface.h>
+
+#include <algorithm>
+#include <functional>
+#include <limits>
+#include <queue>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Volume_mesh_parameterization {
+namespace internal {
+
+// Dijkstra's algorithm in O(n log n): the shortest path along edges from one of the sources to one of the targets whose
+// inner vertices, at least one, are off the cuts. Empty if there is none.
+inline std::vector<Refined_surface::Id> shortest_path(const Refined_surface& surface,
+                                                      const std::vector<Refined_surface::Id>& sources,
+                                                      const std::vector<Refined_surface::Id>& targets) {
+  using Id = Refined_surface::Id;
+  using Entry = std::pair<double, Id>;
+  std::vector<double> distance(surface.number_of_vertices(), std::numeric_limits<double>::infinity());
+  std::vector<Id> before(surface.number_of_vertices(), Refined_surface::none);
+  std::vector<char> is_target(surface.number_of_vertices(), 0);
+  for (Id v : targets) is_target[v] = 1;
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue;
+  for (Id v : sources) queue.push({distance[v] = 0, v});
+  while (!queue.empty()) {
+    const Entry entry = queue.top();
+    const Id v = entry.second;
+    queue.pop();
+    if (entry.first > distance[v]) continue;
+    if (is_target[v]) {
+      std::vector<Id> path;
+      for (Id w = v; w != Refined_surface::none; w = before[w]) path.push_back(w);
+      std::reverse(path.begin(), path.end());
+      return path;
+    }
+    surface.for_each_neighbor(v, [&](Id w) {
+      const bool may_enter = !surface.is_on_cut(w) || (is_target[w] && !surface.is_on_cut(v));
+      const double d = entry.first + surface.length(v, w);
+      if (!may_enter || d >= distance[w]) return;
+      distance[w] = d;
+      before[w] = v;
+      queue.push({d, w});
+    });
+  }
+  return {};
+}
+
+} // namespace internal
+} // namespace Volume_mesh_parameterization
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_SHORTEST_PATH_H

@@ -1,0 +1,97 @@
+// Copyright (c) 2026  The Volume_mesh_parameterization authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_TUTTE_EMBEDDING_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_TUTTE_EMBEDDING_H
+
+#include <CGAL/license/Volume_mesh_parameterization.h>
+
+#include <CGAL/Volume_mesh_parameterization/Compact_tetrahedral_mesh_3.h>
+#include <CGAL/Volume_mesh_parameterization/Error_code.h>
+
+#include <CGAL/Eigen_solver_traits.h>
+
+#include <Eigen/SparseLU>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+namespace CGAL {
+namespace Volume_mesh_parameterization {
+namespace internal {
+
+// Positive weights of the half-edges of triangles, half-edge 3 t + i being that from corner i to corner i + 1.
+struct Mean_value_weights {
+  const std::vector<Double_kernel::Point_3>& points;
+
+  // M. S. Floater, Mean value coordinates, 2003, eq. (1.1): the share of the triangle (v, w, u) in the weights of the
+  // edges from v is tan(angle at v / 2) over the length of the edge.
+  std::array<double, 2> operator()(std::uint32_t v, std::uint32_t w, std::uint32_t u) const {
+    const Double_kernel::Vector_3 a = points[w] - points[v], b = points[u] - points[v];
+    const double la = std::sqrt(a * a), lb = std::sqrt(b * b);
+    const Double_kernel::Vector_3 c = CGAL::cross_product(a, b);
+    const double tangent = std::sqrt(c * c) / (la * lb + a * b);
+    // any positive weights give an embedding; those of needles would only spoil the condition of the matrix
+    constexpr double least = 1e-3, greatest = 1e3;
+    const double t = std::min(std::max(tangent, least), greatest);
+    return {t / la, t / lb};
+  }
+};
+
+struct Uniform_weights {
+  std::array<double, 2> operator()(std::uint32_t, std::uint32_t, std::uint32_t) const { return {1, 1}; }
+};
+
+/*
+Moves every vertex that is not fixed to the weighted mean of its neighbors (W. T. Tutte, How to draw a graph, 1963;
+M. S. Floater, One-to-one piecewise linear mappings over triangulations, 2003). weights(v, w, u) are the shares of a
+triangle in the weights of its edges vw and vu.
+*/
+template <typename Weights>
+Status tutte_embedding(const std::vector<std::array<std::uint32_t, 3>>& triangles,
+                       const std::vector<char>& is_fixed, const Weights& weights,
+                       std::vector<Double_kernel::Point_2>& positions) {
+  using Solver = Eigen_solver_traits<Eigen::SparseLU<Eigen_sparse_matrix<double>::EigenType>>;
+  std::vector<std::size_t> row(positions.size());
+  std::size_t n = 0;
+  for (std::size_t v = 0; v < positions.size(); ++v) row[v] = is_fixed[v] ? std::size_t(-1) : n++;
+  if (n == 0) return {};
+  typename Solver::Matrix matrix(n, n);
+  typename Solver::Vector bx(n), by(n), x(n), y(n);
+  bx.setZero();
+  by.setZero();
+  const auto add = [&](std::uint32_t v, std::uint32_t w, double weight) {
+    matrix.add_coef(row[v], row[v], weight);
+    if (!is_fixed[w]) return matrix.add_coef(row[v], row[w], -weight);
+    bx[row[v]] += weight * positions[w].x();
+    by[row[v]] += weight * positions[w].y();
+  };
+  for (const auto& t : triangles)
+    for (int i = 0; i < 3; ++i) {
+      const std::uint32_t v = t[i], w = t[(i + 1) % 3], u = t[(i + 2) % 3];
+      if (is_fixed[v]) continue;
+      const std::array<double, 2> shares = weights(v, w, u);
+      add(v, w, shares[0]);
+      add(v, u, shares[1]);
+    }
+  Solver solver;
+  double denominator = 1;
+  if (!solver.factor(matrix, denominator) || !solver.linear_solver(bx, x) || !solver.linear_solver(by, y))
+    return {ERROR_CANNOT_SOLVE, "Tutte embedding of " + std::to_string(n) + " vertices"};
+  for (std::size_t v = 0; v < positions.size(); ++v)
+    if (!is_fixed[v]) positions[v] = Double_kernel::Point_2(x[row[v]], y[row[v]]);
+  return {};
+}
+
+} // namespace internal
+} // namespace Volume_mesh_parameterization
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_TUTTE_EMBEDDING_H

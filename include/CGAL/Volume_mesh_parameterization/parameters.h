@@ -1,0 +1,69 @@
+// Copyright (c) 2026  The Volume_mesh_parameterization authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_PARAMETERS_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_PARAMETERS_H
+
+#include <CGAL/license/Volume_mesh_parameterization.h>
+
+#include <CGAL/Volume_mesh_parameterization/Curve_field_3.h>
+
+#include <CGAL/Named_function_parameters.h>
+
+namespace CGAL {
+namespace Volume_mesh_parameterization {
+
+/*!
+\ingroup PkgVolumeMeshParameterizationRef
+
+is the default visitor of a parameterization: it watches nothing and stops nothing. A visitor of the user has the same
+functions.
+*/
+struct Default_parameterization_visitor {
+  /// is called before each stage with its name; stops the parameterization by returning `false`.
+  bool start_stage(const char* /*name*/) { return true; }
+};
+
+/// \ingroup PkgVolumeMeshParameterizationRef
+enum Curve_type {
+  CERTIFIED_CURVES, ///< curves of the product structure, nearest to the flux: they arrive, whatever the field does
+  FLUX_CURVES       ///< curves of the Crouzeix-Raviart flux itself: straighter, but nothing is proved
+};
+
+/// \cond SKIP_IN_MANUAL
+// Named parameters that CGAL does not have yet. They start a chain that CGAL's own parameters may follow.
+namespace internal_np {
+enum curve_type_t { curve_type };
+enum level_function_t { level_function };
+} // namespace internal_np
+
+namespace parameters {
+
+template <typename T>
+Named_function_parameters<T, internal_np::curve_type_t> curve_type(const T& t) {
+  return {t};
+}
+
+template <typename T>
+Named_function_parameters<T, internal_np::level_function_t> level_function(const T& t) {
+  return {t};
+}
+
+// Appends to a chain `np`, whatever it ends with; in CGAL from 5.6 on np.combine(p) does the same.
+template <typename T, typename Tag, typename Base, typename NamedParameters>
+Named_function_parameters<T, Tag, NamedParameters> combine(const NamedParameters& np,
+                                                           const Named_function_parameters<T, Tag, Base>& p) {
+  return {CGAL::parameters::get_parameter(p, Tag()), np};
+}
+
+} // namespace parameters
+/// \endcond
+
+} // namespace Volume_mesh_parameterization
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_PARAMETERS_H

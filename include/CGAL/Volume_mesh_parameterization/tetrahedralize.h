@@ -1,0 +1,114 @@
+// Copyright (c) 2026  The Volume_mesh_parameterization authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_TETRAHEDRALIZE_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_TETRAHEDRALIZE_H
+
+#include <CGAL/license/Volume_mesh_parameterization.h>
+
+#include <CGAL/Volume_mesh_parameterization/Compact_tetrahedral_mesh_3.h>
+#include <CGAL/Volume_mesh_parameterization/Error_code.h>
+#include <CGAL/Volume_mesh_parameterization/Tetrahedron_soup_3.h>
+#include <CGAL/Volume_mesh_parameterization/Triangle_soup_3.h>
+#include <CGAL/Volume_mesh_parameterization/check_surface.h>
+#include <CGAL/Volume_mesh_parameterization/check_tetrahedral_mesh.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Tetgen_mesher.h>
+
+#include <CGAL/Kernel_traits.h>
+
+#include <cmath>
+#include <cstddef>
+#include <utility>
+
+namespace CGAL {
+namespace Volume_mesh_parameterization {
+
+namespace internal {
+
+// A mesher is asked to do well, not trusted: TetGen returns flat cells and pinched meshes now and then.
+template <typename Point>
+Status check_mesher_output(const Tetrahedron_soup_3<Point>& soup) {
+  Compact_tetrahedral_mesh_3<typename Kernel_traits<Point>::Kernel> mesh;
+  Status status = mesh.assign(soup);
+  if (status.ok()) status = check_tetrahedral_mesh(mesh);
+  return status.ok()
+             ? status
+             : Status(ERROR_TETRAHEDRALIZATION, "the mesher returned a bad mesh: " + status.message());
+}
+
+#ifdef CGAL_VOLUME_MESH_PARAMETERIZATION_USE_TETGEN
+
+// Near the wanted number the number of cells goes like the inverse of the bound on their volume, unless the given
+// triangles determine it.
+template <typename Point>
+Status mesh_with_about(std::size_t number_of_cells, const Tetgen_mesher<Point>& mesher, double volume,
+                       Tetrahedron_soup_3<Point>& soup) {
+  constexpr int attempts = 4;
+  constexpr double good_enough = .25, no_progress = .1; // relative differences
+  double ratio = 0;
+  double bound = volume / double(number_of_cells);
+  Status status;
+  for (int i = 0; i < attempts; ++i) {
+    status = mesher.mesh(bound, soup);
+    const double last_ratio = std::exchange(ratio, double(soup.cells.size()) / double(number_of_cells));
+    if (!status.ok() || std::abs(ratio - 1) < good_enough ||
+        std::abs(ratio - last_ratio) < no_progress * ratio)
+      break;
+    bound *= ratio;
+  }
+  return status;
+}
+
+#endif
+
+} // namespace internal
+
+/*!
+\ingroup PkgVolumeMeshParameterizationMesh
+
+fills a surface with tetrahedra. The surface is kept, triangle for triangle, and its points come first. The labels of
+its triangles become those of the boundary facets; if it has none, each boundary facet gets as label the number of its
+triangle.
+
+Needs TetGen 1.5, and the macro `CGAL_VOLUME_MESH_PARAMETERIZATION_USE_TETGEN`; the constrained Delaunay triangulation
+of \cgal 6.1 is to replace it.
+
+\tparam Point a point type of a \cgal kernel
+
+\param surface a closed surface
+\param soup receives the mesh; on failure it is left as it was
+\param number_of_cells about how many cells are wanted, as far as the given triangles allow (long and thin ones prevent
+small cells); 0: as many as their shapes need
+
+\returns the errors of `check_surface()`, `ERROR_TETRAHEDRALIZATION` or `ERROR_MISSING_LIBRARY`
+*/
+template <typename Point>
+Status tetrahedralize(const Triangle_soup_3<Point>& surface, Tetrahedron_soup_3<Point>& soup,
+                      std::size_t number_of_cells = 0) {
+#ifdef CGAL_VOLUME_MESH_PARAMETERIZATION_USE_TETGEN
+  Triangle_soup_3<Point> checked = surface;
+  Status status = check_surface(checked);
+  if (!status.ok()) return status;
+  Tetrahedron_soup_3<Point> result;
+  const internal::Tetgen_mesher<Point> mesher(checked);
+  status = number_of_cells == 0
+               ? mesher.mesh(0, result)
+               : internal::mesh_with_about(number_of_cells, mesher,
+                                           internal::sixfold_volume<double>(checked) / 6, result);
+  if (status.ok()) status = internal::check_mesher_output(result);
+  if (status.ok()) soup = std::move(result);
+  return status;
+#else
+  static_cast<void>(surface), static_cast<void>(soup), static_cast<void>(number_of_cells);
+  return {ERROR_MISSING_LIBRARY, "TetGen, to fill a surface with tetrahedra"};
+#endif
+}
+
+} // namespace Volume_mesh_parameterization
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_TETRAHEDRALIZE_H

@@ -1,0 +1,222 @@
+"""The pictures of a result: each function takes a Result and returns a Picture."""
+
+import numpy as np
+import vtk
+from vtk.util.numpy_support import vtk_to_numpy
+
+from .convert import add_array, add_cell_colors, cells_of, make_grid, make_polylines, make_surface, run
+from .result_folder import Missing
+from .scene import (HEIGHT_COLORS, QUALITY_COLORS, CutView, Picture, View, color_map, diagonal, interpolate_colors,
+                    label_name_and_color, main_view, make_actor, make_shell, principal_axes, two_panels)
+
+LEVELS = np.arange(1, 12) / 12
+SHELL_THICKNESS, SHELL_OPACITY, HAZE = 0.015, 0.8, 0.008  # in f; of one slice of the volume
+CORNER_COLORS = np.array([[(0.13, 0.36, 0.75), (0.10, 0.62, 0.42)], [(0.88, 0.25, 0.20), (0.97, 0.72, 0.12)]])
+
+
+def draw_labels(result):
+    mesh = result.mesh
+    boundary = make_surface(mesh.points, mesh.boundary)
+    add_cell_colors(boundary, np.array([label_name_and_color(label)[1] for label in mesh.labels]))
+    view = main_view(mesh.points)
+    picture = two_panels(view)
+    for side in (view, view.opposite()):
+        picture.add_panel(side, [make_actor(boundary, edges=len(mesh.boundary) < 40000)])
+    picture.add_text([label_name_and_color(label) for label in np.unique(mesh.labels)])
+    return picture
+
+
+def draw_isosurfaces(result):
+    view = cut_view(result.mesh)
+    half = view.cut_open(result.mesh.grid("f"))
+    contour = vtk.vtkContourFilter()
+    for i, level in enumerate(LEVELS):
+        contour.SetValue(i, level)
+    colors = color_map(HEIGHT_COLORS)
+    picture = Picture()
+    picture.add_panel(view, [make_actor(run(contour, half), colors=colors), *make_shell(outer_surface(half))])
+    picture.add_scalar_bar(colors, "f")
+    return picture
+
+
+def draw_volume(result):
+    view = main_view(result.mesh.points)
+    picture = Picture()
+    picture.add_panel(view, [stack_slices(result.mesh.grid("f"), view)], in_order=True)
+    picture.add_scalar_bar(color_map(HEIGHT_COLORS), "f")
+    return picture
+
+
+def draw_curves(result):
+    mesh, curves, images = result.mesh, result.curves, result.domain_points
+    colors = curve_colors(curves)
+    x, y, z = np.eye(3)
+    views = [main_view(mesh.points), View(images, -y, x, z, tilt=(0.4, 0.9))]
+    picture = two_panels(views[0])
+    for domain, view in enumerate(views):
+        chosen = np.flatnonzero(curves.domain == domain)
+        shell = make_shell(make_surface(view.points, mesh.boundary))
+        picture.add_panel(view, shell + make_tubes([curves.lines[i] for i in chosen], colors[chosen], view.points))
+    return picture
+
+
+def draw_cut(result):
+    """u, v, w make a checkerboard of boxes"""
+    mesh = result.mesh
+    view = cut_view(mesh)
+    skin = outer_surface(view.cut_open(mesh.grid("u", "v", "w")))
+    steps = checker_steps(mesh)
+    for name, step in zip("uvw", steps):
+        skin = split_at_multiples(skin, name, step)
+    inside = polygon_means(skin, np.column_stack([vtk_to_numpy(skin.GetPointData().GetArray(name)) for name in "uvw"]))
+    boxes = np.floor(inside / steps)
+    is_light = (boxes.sum(axis=1) % 2)[:, None]
+    colors = interpolate_colors(HEIGHT_COLORS, (boxes[:, 2] - boxes[:, 2].min()) / np.ptp(boxes[:, 2]))
+    add_cell_colors(skin, colors + 0.6 * is_light * (1 - colors))
+    picture = Picture()
+    picture.add_panel(view, [make_actor(skin)])
+    return picture
+
+
+def draw_hexahedra(result):
+    points, hexahedra = result.hexahedra
+    quality = scaled_jacobians(points, hexahedra)
+    view = cut_view(result.mesh)
+    kept = view.is_behind(points[hexahedra].mean(axis=1))
+    grid = make_grid(points, vtk.VTK_HEXAHEDRON, hexahedra[kept], {})
+    add_array(grid.GetCellData(), "scaled Jacobian", quality[kept])
+    grid.GetCellData().SetActiveScalars("scaled Jacobian")
+    colors = color_map(QUALITY_COLORS)
+    picture = Picture()
+    picture.add_panel(view, [make_actor(outer_surface(grid), colors=colors, edges=True)])
+    picture.add_scalar_bar(colors, "scaled\nJacobian")
+    picture.add_text([(f"{len(hexahedra)} hexahedra, scaled Jacobian from {quality.min():.3f}, mean "
+                       f"{quality.mean():.3f}", (0, 0, 0))], size=17)
+    return picture
+
+
+FIGURES = {"labels": draw_labels, "isosurfaces": draw_isosurfaces, "volume": draw_volume, "curves": draw_curves,
+           "cut": draw_cut, "hexahedra": draw_hexahedra}
+
+
+def gradients_of_f(mesh):
+    """returns gradients and volumes of the tetrahedra that have volume"""
+    corners, f = mesh.points[mesh.tetrahedra], mesh.value("f")[mesh.tetrahedra]
+    a, b, c = (corners[:, i] - corners[:, 0] for i in (1, 2, 3))
+    duals = np.cross(b, c), np.cross(c, a), np.cross(a, b)
+    rises = sum((f[:, i + 1] - f[:, 0])[:, None] * dual for i, dual in enumerate(duals))
+    volumes = np.einsum("ij,ij->i", a, duals[0])
+    good = volumes > 1e-12 * volumes.max()  # the others do not matter for a choice of view
+    return rises[good] / volumes[good, None], volumes[good]
+
+
+def cut_view(mesh):
+    """faces a long section along the gradients of f, which shows its layers side by side"""
+    axes = principal_axes(mesh.points)
+    spread = (mesh.points @ axes.T).std(axis=0)
+    gradients, volumes = gradients_of_f(mesh)
+    across = volumes @ (gradients @ axes.T) ** 2
+    normal = int(np.argmax((1 - across / across.sum()) / spread))
+    right, up = (axes[i] for i in range(3) if i != normal)
+    return CutView(mesh.points, axes[normal], right, up)
+
+
+def outer_surface(grid):
+    return run(vtk.vtkDataSetSurfaceFilter(), grid)
+
+
+def stack_slices(grid, view, number=250):
+    """renders a volume by translucent slices that face the eye, the farthest first"""
+    plane = vtk.vtkPlane()
+    plane.SetNormal(view.towards_eye)
+    depths = view.points @ view.towards_eye
+    cutter = vtk.vtkCutter()
+    cutter.SetCutFunction(plane)
+    cutter.SetSortByToSortByValue()
+    for i, depth in enumerate(np.linspace(depths.min(), depths.max(), number + 2)[1:-1]):
+        cutter.SetValue(i, depth)
+    actor = make_actor(run(cutter, grid), colors=shells_table())
+    actor.GetMapper().InterpolateScalarsBeforeMappingOn()
+    actor.GetProperty().LightingOff()
+    actor.ForceTranslucentOn()
+    return actor
+
+
+def shells_table(entries=1024):
+    """colours for f in [0, 1]: opaque near each level, a haze between"""
+    table = vtk.vtkLookupTable()
+    table.SetNumberOfTableValues(entries)
+    table.SetTableRange(0, 1)
+    f = np.linspace(0, 1, entries)
+    nearness = np.clip(1 - np.abs(f[:, None] - LEVELS).min(axis=1) / SHELL_THICKNESS, 0, 1)
+    opacity = HAZE + (SHELL_OPACITY - HAZE) * nearness
+    for i, color in enumerate(interpolate_colors(HEIGHT_COLORS, f)):
+        table.SetTableValue(i, *color, opacity[i])
+    return table
+
+
+def curve_colors(curves):
+    """returns a colour for each line that tells where its curve stands in P"""
+    feet = {c: line[0][:2] for c, d, line in zip(curves.curve, curves.domain, curves.lines) if d == 1}
+    if set(feet) < set(curves.curve):
+        raise Missing("curves.vtp lacks a curve in P that it has in M")
+    places = np.array([feet[c] for c in curves.curve])
+    s, t = ((places - places.min(axis=0)) / np.maximum(np.ptp(places, axis=0), 1e-300)).T
+    weights = np.array([[(1 - s) * (1 - t), (1 - s) * t], [s * (1 - t), s * t]])
+    return np.einsum("ijn,ijc->nc", weights, CORNER_COLORS)
+
+
+def make_tubes(lines, colors, points):
+    if not lines:
+        return []
+    polydata = make_polylines(lines)
+    add_cell_colors(polydata, colors)
+    tube = vtk.vtkTubeFilter()
+    tube.SetRadius(0.0025 * diagonal(points))
+    tube.SetNumberOfSides(10)
+    return [make_actor(run(tube, polydata))]
+
+
+def checker_steps(mesh):
+    """about 16 squares along the floor, and layers of about the same height, at least 6"""
+    extents = np.array([np.ptp(mesh.value(name)) for name in "uvw"])
+    side = extents[:2].max() / 16
+    return np.array([side, side, extents[2] / max(6, round(extents[2] / side))])
+
+
+def split_at_multiples(polydata, name, step):
+    """cuts the polygons where the value is a multiple of `step`"""
+    polydata.GetPointData().SetActiveScalars(name)
+    low, high = polydata.GetPointData().GetArray(name).GetRange()
+    slabs = vtk.vtkAppendPolyData()
+    for k in range(int(np.floor(low / step)) + 1, int(np.ceil(high / step))):
+        clip = vtk.vtkClipPolyData()
+        clip.SetValue(k * step)
+        clip.GenerateClippedOutputOn()
+        polydata = run(clip, polydata)
+        slabs.AddInputData(clip.GetClippedOutput())
+    slabs.AddInputData(polydata)
+    slabs.Update()
+    return slabs.GetOutput()
+
+
+def polygon_means(polydata, values):
+    """returns the mean of `values` over the corners of each polygon"""
+    corners, offsets = cells_of(polydata.GetPolys())
+    return np.add.reduceat(values[corners], offsets[:-1]) / np.diff(offsets)[:, None]
+
+
+def scaled_jacobians(points, hexahedra):
+    """returns the least normalized determinant over the eight corners and the centre of each hexahedron"""
+    neighbors = ((1, 3, 4), (2, 0, 5), (3, 1, 6), (0, 2, 7), (7, 5, 0), (4, 6, 1), (5, 7, 2), (6, 4, 3))
+    sides = (((1, 2, 5, 6), (0, 3, 4, 7)), ((2, 3, 6, 7), (0, 1, 4, 5)), ((4, 5, 6, 7), (0, 1, 2, 3)))
+    corners = points[hexahedra]
+    frames = [[corners[:, n] - corners[:, i] for n in neighbors[i]] for i in range(8)]
+    frames.append([corners[:, list(high)].sum(axis=1) - corners[:, list(low)].sum(axis=1) for high, low in sides])
+    return np.min([normalized_determinants(*frame) for frame in frames], axis=0)
+
+
+def normalized_determinants(a, b, c):
+    lengths = np.prod([np.linalg.norm(edge, axis=1) for edge in (a, b, c)], axis=0)
+    determinants = np.einsum("ij,ij->i", a, np.cross(b, c))
+    return np.where(lengths > 0, determinants / np.where(lengths > 0, lengths, 1), -1)

@@ -1,0 +1,28 @@
+#!/usr/bin/env bash
+# Installs what is missing, builds everything, runs all tests, and writes the documentation, which must raise no warning.
+# shellcheck source-path=SCRIPTDIR source=common.sh
+source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
+
+if [ $# -gt 0 ]; then
+  say "usage: scripts/test.sh"
+  say "Installs the Debian packages that are missing, builds all into build-test, runs all tests with CTest and"
+  say "writes the documentation into build-test/doc/html."
+  case $1 in -h | --help) exit 0 ;; *) exit 2 ;; esac
+fi
+
+build=$root/build-test
+install "${compiler_packages[@]}" "${library_packages[@]}" doxygen
+provide_cgal_data "$build/cgal"
+
+cmake -S "$root" -B "$build" -DCMAKE_BUILD_TYPE=Release -DCGAL_DATA_DIR="$build/cgal/data" \
+  -DWITH_demo=ON -DWITH_examples=ON -DWITH_tests=ON -DWITH_benchmark=ON \
+  -DCMAKE_CXX_FLAGS="-Wall -Wextra -Wpedantic -Werror"
+cmake --build "$build" --parallel 2
+OPENBLAS_NUM_THREADS=1 ctest --test-dir "$build" --parallel 2 --output-on-failure
+
+cmake --build "$build" --target doc
+if [ -s "$build/doc/warnings.log" ]; then
+  cat "$build/doc/warnings.log" >&2
+  fail "the documentation raises warnings"
+fi
+say "All tests passed, and the documentation raises no warning: $build/doc/html/index.html"

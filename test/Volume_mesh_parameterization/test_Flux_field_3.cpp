@@ -1,0 +1,232 @@
+#undef NDEBUG
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Gmpq.h>
+
+#include <CGAL/Volume_mesh_parameterization/Flux_field_3.h>
+
+#include "test_util.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+#include <cstdlib>
+#include <iostream>
+#include <random>
+
+namespace VMP = CGAL::Volume_mesh_parameterization;
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Point = Kernel::Point_3;
+using Mesh = VMP::Compact_tetrahedral_mesh_3<Kernel>;
+using Soup = VMP::Tetrahedron_soup_3<Point>;
+using Field = VMP::Flux_field_3<Mesh>;
+using Vector = Field::Vector_3;
+
+template <typename Mesh_ = Mesh, typename Soup_>
+Mesh_ mesh_of(const Soup_& soup) {
+  Mesh_ mesh;
+  const VMP::Status status = mesh.assign(soup);
+  assert(status.ok());
+  return mesh;
+}
+
+template <typename Field_ = Field, typename Mesh_>
+Field_ solved(const Mesh_& mesh) {
+  Field_ field(mesh);
+  const VMP::Status status = field.solve();
+  assert(status.ok() && field.residual() < 1e-12);
+  return field;
+}
+
+// a block in which no linear function is the solution
+Soup wedge(int holes) {
+  return transformed(
+      jitter_interior(Block_with_holes<Point>(holes, 3, 4).soup(), 0.05, 3), [](const Point& p) {
+        return Point(p.x() + 0.3 * p.z() * p.z(), p.y(), p.z() * (1 + 0.4 * p.x() + 0.1 * p.y() * p.y()));
+      });
+}
+
+// the number, without rounding
+template <std::size_t n>
+CGAL::Gmpq exact_sum(const std::array<double, n>& numbers) {
+  CGAL::Gmpq sum(0);
+  for (double x : numbers) sum += CGAL::Gmpq(x);
+  return sum;
+}
+
+template <typename Mesh_, typename Field_>
+void test_conservation(const Mesh_& mesh, const Field_& field) {
+  double largest = 0;
+  for (VMP::Facet_index f : mesh.facets()) largest = std::max(largest, std::abs(field.flux(f)));
+  for (VMP::Facet_index f : mesh.boundary_facets()) {
+    if (mesh.label(f) >= VMP::FIRST_WALL) assert(field.flux(f) == 0);
+    if (mesh.label(f) == VMP::FLOOR) assert(field.flux(f) < 0);
+    if (mesh.label(f) == VMP::CEILING) assert(field.flux(f) > 0);
+  }
+  for (VMP::Cell_index c : mesh.cells()) {
+    double sum = 0;
+    bool enters = false, leaves = false;
+    const auto signs = field.signs(c);
+    for (int i = 0; i < 4; ++i) {
+      const double inflow = field.inflow({c, i});
+      sum += inflow;
+      assert(signs[i] == (inflow > 0) - (inflow < 0));
+      enters |= signs[i] > 0, leaves |= signs[i] < 0;
+      if (mesh.neighbor(c, i).is_valid()) assert(field.inflow(mesh.opposite({c, i})) == -inflow);
+    }
+    assert(std::abs(sum) < 1e-12 * largest);
+    assert(exact_sum(field.rates(c)) == 0);
+    assert(enters && leaves);
+  }
+  const double floor = field.total_flux(VMP::FLOOR), ceiling = field.total_flux(VMP::CEILING);
+  assert(floor < 0 && std::abs(floor + ceiling) < 1e-12 * ceiling);
+  assert(field.total_flux(VMP::FIRST_WALL) == 0);
+  assert(field.largest_divergence() < 1e-12);
+}
+
+// The rates are those of the barycentric coordinates of a point that moves with the vector of the cell.
+void test_rates_and_vectors(const Mesh& mesh, const Field& field) {
+  for (VMP::Cell_index c : mesh.cells()) {
+    const VMP::internal::Cell_gradients cell(mesh, c);
+    const Vector v = field.vector(c);
+    for (int i = 0; i < 4; ++i) {
+      const double rate = field.rates(c)[i],
+                   size = std::sqrt(v.squared_length() * cell.gradients[i].squared_length());
+      assert(std::abs(v * cell.gradients[i] - rate) < 1e-12 * size);
+      assert(std::abs(field.inflow({c, i}) / (3 * cell.volume) - rate) < 1e-9 * size);
+    }
+  }
+}
+
+void test_block(int holes) {
+  const double height = 1.7;
+  const Mesh mesh = mesh_of(jitter_interior(Block_with_holes<Point>(holes, 4, 5, height).soup(), 0.06, 7));
+  const Field field = solved(mesh);
+  test_conservation(mesh, field);
+  test_rates_and_vectors(mesh, field);
+  double error = 0;
+  for (VMP::Cell_index c : mesh.cells())
+    error = std::max(error, std::sqrt((field.vector(c) - Vector(0, 0, 1 / height)).squared_length()));
+  std::cout << "block with " << holes << " holes: error " << error << ", residual " << field.residual()
+            << ", divergence " << field.largest_divergence() << '\n';
+  assert(error < 1e-11);
+  const double area = 3 * (2 * holes + 1) - holes;
+  assert(std::abs(field.total_flux(VMP::CEILING) * height / area - 1) < 1e-12);
+}
+
+// The vertical facets of the cubes are parallel to the field: nothing crosses them, to the bit.
+void test_parallel_facets() {
+  const Mesh mesh = mesh_of(Block_with_holes<Point>(2, 5, 5).soup());
+  const Field field = solved(mesh);
+  std::size_t vertical = 0;
+  for (VMP::Facet_index f : mesh.facets()) {
+    const auto v = mesh.vertices(f);
+    const bool is_vertical =
+        CGAL::orientation(mesh.point(v[0]), mesh.point(v[1]), mesh.point(v[2]),
+                          mesh.point(v[0]) + Kernel::Vector_3(0, 0, 1)) == CGAL::COPLANAR;
+    assert((field.flux(f) == 0) == is_vertical);
+    vertical += is_vertical;
+  }
+  assert(vertical > mesh.number_of_boundary_facets());
+  test_conservation(mesh, field);
+}
+
+void test_invariance() {
+  const Mesh mesh = mesh_of(wedge(2));
+  const Field expected = solved(mesh);
+  test_conservation(mesh, expected);
+  test_rates_and_vectors(mesh, expected);
+  const auto compare = [&](const Mesh& moved, double scale) {
+    const Field field = solved(moved);
+    double error = 0, largest = 0;
+    for (VMP::Facet_index f : mesh.facets()) {
+      error = std::max(error, std::abs(field.flux(f) / scale - expected.flux(f)));
+      largest = std::max(largest, std::abs(expected.flux(f)));
+    }
+    assert(error < 1e-11 * largest);
+  };
+  for (double s : {1e-6, 1e6})
+    compare(mesh_of(transformed(wedge(2),
+                                [s](const Point& p) { return Point(s * p.x(), s * p.y(), s * p.z()); })),
+            s);
+  compare(mesh_of(transformed(wedge(2),
+                              [](const Point& p) { // turned by (3, 4, 5)
+                                return Point(7 + (3 * p.x() - 4 * p.y()) / 5, p.z() - 11,
+                                             -(4 * p.x() + 3 * p.y()) / 5);
+                              })),
+          1);
+  const auto direct = solved<VMP::Flux_field_3<Mesh, VMP::Simplicial_solver_traits_3>>(mesh);
+  const Field again = solved(mesh);
+  for (VMP::Cell_index c : mesh.cells()) {
+    assert((direct.vector(c) - expected.vector(c)).squared_length() < 1e-22);
+    assert(again.rates(c) == expected.rates(c)); // to the bit
+  }
+}
+
+void test_exact_kernel() {
+  using Exact_kernel = CGAL::Exact_predicates_exact_constructions_kernel;
+  using Exact_mesh = VMP::Compact_tetrahedral_mesh_3<Exact_kernel>;
+  const auto mesh = mesh_of<Exact_mesh>(Block_with_holes<Exact_kernel::Point_3>(1, 2, 2).soup());
+  test_conservation(mesh, solved<VMP::Flux_field_3<Exact_mesh>>(mesh));
+}
+
+// Rates of any sizes: the sum becomes 0 without rounding, no sign changes, and little else does.
+void test_balance_rates() {
+  std::mt19937 random(17);
+  const auto number = [&] { return std::ldexp(random() / 4294967296., -int(random() % 70)); };
+  for (int k = 0; k < 100000; ++k) {
+    const std::array<double, 4> rates = {number(), -number(), random() % 2 ? number() : -number(),
+                                         random() % 3 ? number() : 0};
+    const std::array<double, 4> balanced = VMP::internal::balance_rates(rates);
+    assert(exact_sum(balanced) == 0);
+    for (int i = 0; i < 4; ++i)
+      assert((balanced[i] > 0) == (rates[i] > 0) && (balanced[i] < 0) == (rates[i] < 0));
+  }
+  const std::array<double, 4> balanced = VMP::internal::balance_rates({0.1, 0.2, 0, -0.3});
+  for (int i = 0; i < 4; ++i)
+    assert(std::abs(balanced[i] - std::array<double, 4>{0.1, 0.2, 0, -0.3}[i]) < 1e-15);
+  assert((VMP::internal::balance_rates({1, 2, 0, 3}) == std::array<double, 4>{0, 0, 0, 0}));
+}
+
+struct Failing_solver : VMP::Default_solver_traits_3 {
+  bool linear_solver(const Vector&, Vector&) { return false; }
+};
+
+VMP::Error_code code_of(const Soup& soup) {
+  const Mesh mesh = mesh_of(soup);
+  return Field(mesh).solve().code();
+}
+
+void test_refusals() {
+  const Soup good = Block_with_holes<Point>(0, 1, 2).soup();
+  assert(code_of(good) == VMP::OK);
+  const Mesh mesh = mesh_of(good);
+  assert((VMP::Flux_field_3<Mesh, Failing_solver>(mesh).solve().code() == VMP::ERROR_CANNOT_SOLVE));
+
+  assert(code_of(transformed(good, [](const Point& p) { return Point(p.x(), p.y(), 0); })) ==
+         VMP::ERROR_FLAT_TETRAHEDRON);
+  for (int base : {VMP::FLOOR, VMP::CEILING}) {
+    Soup without = good;
+    for (VMP::Labelled_facet& f : without.facets)
+      if (f.label == base) f.label = VMP::FIRST_WALL;
+    assert(code_of(without) == VMP::ERROR_NUMBER_OF_PATCHES);
+  }
+  Soup island = good;
+  const std::size_t n = island.points.size();
+  for (const Point& p : {Point(9, 0, 0), Point(10, 0, 0), Point(9, 1, 0), Point(9, 0, 1)})
+    island.points.push_back(p);
+  island.cells.push_back({n, n + 1, n + 2, n + 3});
+  assert(code_of(island) == VMP::ERROR_SEVERAL_COMPONENTS);
+}
+
+int main() {
+  for (int holes : {0, 1, 2}) test_block(holes);
+  test_parallel_facets();
+  test_invariance();
+  test_exact_kernel();
+  test_balance_rates();
+  test_refusals();
+  std::cout << "done\n";
+  return EXIT_SUCCESS;
+}

@@ -1,0 +1,54 @@
+#undef NDEBUG
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+
+#include <CGAL/Volume_mesh_parameterization/Prism_3.h>
+
+#include <cassert>
+#include <cstdlib>
+#include <iostream>
+
+namespace VMP = CGAL::Volume_mesh_parameterization;
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Point_2 = Kernel::Point_2;
+using Point_3 = Kernel::Point_3;
+using Prism = VMP::Prism_3<Kernel>;
+
+const VMP::Rectangle_2 outer = {0, 0, 7, 3}, left_hole = {1, 1, 2, 2}, right_hole = {4, 0.5, 6, 2.5};
+
+void test_validity() {
+  assert(!Prism().is_valid());
+  assert(Prism(outer, {}, 1).is_valid());
+  assert(Prism(outer, {left_hole, right_hole}, 1).is_valid());
+  assert(!Prism(outer, {right_hole, left_hole}, 1).is_valid());
+  assert(!Prism(outer, {left_hole}, 0).is_valid());
+  assert(!Prism(left_hole, {outer}, 1).is_valid());
+  assert(!Prism(outer, {{1, 0, 2, 2}}, 1).is_valid());
+  assert(!Prism(outer, {{1, 1, 7, 2}}, 1).is_valid());
+  assert(!Prism(outer, {{1, 1, 1, 2}}, 1).is_valid());
+}
+
+void test_sides() {
+  Prism prism(outer, {left_hole, right_hole}, 2);
+  prism.set_wall_label(2, 9);
+  assert(prism.base_corners().size() == 12 && prism.base_area() == 21 - 1 - 4);
+  for (const Point_2& c : prism.base_corners()) assert(prism.bounded_side(c) == CGAL::ON_BOUNDARY);
+  assert(prism.bounded_side(Point_2(3, 1)) == CGAL::ON_BOUNDED_SIDE);
+  assert(prism.bounded_side(Point_2(5, 1)) == CGAL::ON_UNBOUNDED_SIDE);
+  assert(prism.bounded_side(Point_2(8, 1)) == CGAL::ON_UNBOUNDED_SIDE);
+  assert(prism.rim_at(Point_2(7, 1)) == 0 && prism.rim_at(Point_2(2, 1.5)) == 1 &&
+         prism.rim_at(Point_2(3, 1)) == 3);
+  assert(prism.label(Point_3(3, 1, 0)) == VMP::FLOOR && prism.label(Point_3(7, 1, 0)) == VMP::FLOOR);
+  assert(prism.label(Point_3(3, 1, 2)) == VMP::CEILING && prism.label(Point_3(3, 1, 1)) == VMP::INTERIOR);
+  assert(prism.label(Point_3(7, 1, 1)) == VMP::FIRST_WALL &&
+         prism.label(Point_3(1, 1.5, 1)) == VMP::FIRST_WALL + 1);
+  assert(prism.label(Point_3(4, 1, 1)) == 9 && prism.label(Point_3(5, 1, 0)) == VMP::INTERIOR);
+  assert(prism.bounded_side(Point_3(3, 1, 3)) == CGAL::ON_UNBOUNDED_SIDE);
+  assert(prism.bounded_side(Point_3(3, 1, 1)) == CGAL::ON_BOUNDED_SIDE);
+}
+
+int main() {
+  test_validity();
+  test_sides();
+  std::cout << "done" << std::endl;
+  return EXIT_SUCCESS;
+}

@@ -1,0 +1,109 @@
+#undef NDEBUG
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+
+#include <CGAL/Volume_mesh_parameterization/hexahedral_mesh.h>
+
+#include <cassert>
+#include <cmath>
+#include <cstdlib>
+#include <iostream>
+#include <map>
+
+namespace VMP = CGAL::Volume_mesh_parameterization;
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Point_2 = Kernel::Point_2;
+using Point_3 = Kernel::Point_3;
+using Prism = VMP::Prism_3<Kernel>;
+using Hexahedra = VMP::Hexahedron_soup_3<Point_3>;
+
+Prism block(int holes) {
+  std::vector<VMP::Rectangle_2> rectangles;
+  for (double k = 0; k < holes; ++k) rectangles.push_back({2 * k + 1, 1, 2 * k + 2, 2});
+  return Prism({0, 0, 2. * holes + 1, 3}, rectangles, 1.5);
+}
+
+struct Identity {
+  double height, factor; // a negative factor mirrors the block
+  VMP::Status operator()(const Point_2& p, std::size_t layers, std::vector<Point_3>& points) const {
+    for (std::size_t k = 0; k <= layers; ++k)
+      points.push_back(Point_3(p.x(), p.y(), factor * height * double(k) / double(layers)));
+    return {};
+  }
+};
+
+double area(const Hexahedra& mesh, const VMP::Labelled_quadrilateral& q) {
+  const auto& v = q.vertices;
+  return std::sqrt(CGAL::squared_area(mesh.points[v[0]], mesh.points[v[1]], mesh.points[v[2]])) * 2;
+}
+
+// Boxes of the right total volume; quadrilaterals of each label cover that side, and are seen from outside.
+void test_block(int holes) {
+  const Prism prism = block(holes);
+  const VMP::Prism_grid grid = VMP::prism_grid(prism, 0.25);
+  Hexahedra mesh;
+  const VMP::Status status = VMP::hexahedral_mesh(prism, grid, Identity{1.5, 1}, mesh);
+  assert(status.ok() && mesh.hexahedra.size() == VMP::number_of_hexahedra(prism, grid));
+  assert(mesh.hexahedra.size() == std::size_t(prism.base_area() * prism.height() * 64));
+  const VMP::Hexahedra_quality quality = VMP::measure_hexahedra(mesh);
+  assert(quality.inverted_corners == 0 && quality.inverted_hexahedra == 0 && quality.below_one_fifth == 0);
+  assert(quality.min_scaled_jacobian > 1 - 1e-12 && quality.mean_scaled_jacobian > 1 - 1e-12);
+  std::map<int, double> areas;
+  for (const VMP::Labelled_quadrilateral& q : mesh.facets) {
+    areas[q.label] += area(mesh, q);
+    const auto& v = q.vertices;
+    const Point_3 middle = CGAL::midpoint(mesh.points[v[0]], mesh.points[v[2]]);
+    const Point_3 outside =
+        middle + 1e-3 * CGAL::normal(mesh.points[v[0]], mesh.points[v[1]], mesh.points[v[2]]) / area(mesh, q);
+    assert(prism.label(middle) == q.label && prism.bounded_side(outside) == CGAL::ON_UNBOUNDED_SIDE);
+  }
+  assert(areas.size() == std::size_t(holes) + 3);
+  assert(std::abs(areas[VMP::FLOOR] - prism.base_area()) < 1e-9 &&
+         std::abs(areas[VMP::CEILING] - areas[VMP::FLOOR]) < 1e-9);
+  for (int k = 0; k < holes; ++k) assert(std::abs(areas[VMP::FIRST_WALL + 1 + k] - 6) < 1e-9);
+}
+
+void test_target() {
+  for (std::size_t target : {1000, 5000, 40000}) {
+    const Prism prism({0, 0, 3.3, 1.7}, {{0.4, 0.31, 1.1, 0.9}, {1.9, 0.45, 2.55, 1.2}}, 0.8);
+    const double count = double(VMP::number_of_hexahedra(prism, VMP::prism_grid_of_size(prism, target)));
+    assert(count > 0.8 * double(target) && count < 1.2 * double(target));
+  }
+}
+
+void test_inverted() {
+  Hexahedra mesh;
+  const Prism prism = block(1);
+  VMP::Status status = VMP::hexahedral_mesh(prism, VMP::prism_grid(prism, 1), Identity{1, -1}, mesh);
+  assert(status.ok());
+  VMP::Hexahedra_quality quality = VMP::measure_hexahedra(mesh);
+  assert(quality.inverted_hexahedra == mesh.hexahedra.size() &&
+         quality.inverted_corners == 8 * mesh.hexahedra.size());
+  assert(quality.min_scaled_jacobian == -1);
+  status = VMP::hexahedral_mesh(prism, VMP::prism_grid(prism, 1), Identity{1, 0}, mesh);
+  assert(status.ok() && VMP::measure_hexahedra(mesh).inverted_hexahedra == mesh.hexahedra.size());
+}
+
+void test_refusals() {
+  const Prism prism = block(1);
+  const VMP::Prism_grid grid = VMP::prism_grid(prism, 1);
+  Hexahedra mesh;
+  const Identity good{1, 1};
+  assert(VMP::hexahedral_mesh(Prism(), grid, good, mesh).code() == VMP::ERROR_WRONG_PARAMETER);
+  assert(VMP::hexahedral_mesh(prism, VMP::Prism_grid(), good, mesh).code() == VMP::ERROR_WRONG_PARAMETER);
+  const auto short_column = [](const Point_2&, std::size_t, std::vector<Point_3>&) { return VMP::Status(); };
+  assert(VMP::hexahedral_mesh(prism, grid, short_column, mesh).code() == VMP::ERROR_WRONG_PARAMETER);
+  const auto lost = [](const Point_2&, std::size_t, std::vector<Point_3>&) {
+    return VMP::Status(VMP::ERROR_CURVE_LOST);
+  };
+  assert(VMP::hexahedral_mesh(prism, grid, lost, mesh).code() == VMP::ERROR_CURVE_LOST &&
+         mesh.points.empty());
+}
+
+int main() {
+  for (int holes = 0; holes <= 3; ++holes) test_block(holes);
+  test_target();
+  test_inverted();
+  test_refusals();
+  std::cout << "done" << std::endl;
+  return EXIT_SUCCESS;
+}
