@@ -34,7 +34,7 @@ struct Curve_collection {
 };
 
 Status add_curve(const Parameterizer::Product_map& map, const Kernel::Point_2& q, int number, Curve_collection& collection) {
-  VMP::Floor_point<Kernel> start;
+  VMP::Base_point_3<Kernel> start;
   VMP::Integral_curve_3<Kernel> curve;
   Status status = map.floor_map().preimage(q, start);
   if (status.ok()) status = map.curves().trace_curve(start, curve);

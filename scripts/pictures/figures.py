@@ -4,14 +4,15 @@ import numpy as np
 import vtk
 from vtk.util.numpy_support import vtk_to_numpy
 
-from .convert import add_array, add_cell_colors, cells_of, make_grid, make_polylines, make_surface, run
+from .convert import add_array, add_cell_colors, cells_of, make_grid, make_polylines, make_surface, run, uniform_cells
 from .result_folder import Missing
 from .scene import (HEIGHT_COLORS, QUALITY_COLORS, CutView, Picture, View, color_map, diagonal, interpolate_colors,
                     label_name_and_color, main_view, make_actor, make_shell, principal_axes, two_panels)
 
 LEVELS = np.arange(1, 12) / 12
-SHELL_THICKNESS, SHELL_OPACITY, HAZE = 0.015, 0.8, 0.008  # in f; of one slice of the volume
-CORNER_COLORS = np.array([[(0.13, 0.36, 0.75), (0.10, 0.62, 0.42)], [(0.88, 0.25, 0.20), (0.97, 0.72, 0.12)]])
+SHELL_THICKNESS, SHELL_OPACITY, HAZE = 0.012, 0.20, 0.004  # in f; of one slice of the volume
+CURVE_COLORS = [(0.10, 0.22, 0.62), (0.05, 0.52, 0.66), (0.16, 0.58, 0.25), (0.88, 0.66, 0.10), (0.83, 0.25, 0.16),
+                (0.55, 0.16, 0.52)]
 
 
 def draw_labels(result):
@@ -65,7 +66,7 @@ def draw_cut(result):
     mesh = result.mesh
     view = cut_view(mesh)
     skin = outer_surface(view.cut_open(mesh.grid("u", "v", "w")))
-    steps = checker_steps(mesh)
+    steps = checker_steps(result.domain_points)
     for name, step in zip("uvw", steps):
         skin = split_at_multiples(skin, name, step)
     inside = polygon_means(skin, np.column_stack([vtk_to_numpy(skin.GetPointData().GetArray(name)) for name in "uvw"]))
@@ -132,10 +133,13 @@ def stack_slices(grid, view, number=250):
     depths = view.points @ view.towards_eye
     cutter = vtk.vtkCutter()
     cutter.SetCutFunction(plane)
-    cutter.SetSortByToSortByValue()
     for i, depth in enumerate(np.linspace(depths.min(), depths.max(), number + 2)[1:-1]):
         cutter.SetValue(i, depth)
-    actor = make_actor(run(cutter, grid), colors=shells_table())
+    slices = run(cutter, grid)
+    triangles = cells_of(slices.GetPolys())[0].reshape(-1, 3)
+    height = vtk_to_numpy(slices.GetPoints().GetData()) @ view.towards_eye
+    slices.SetPolys(uniform_cells(triangles[np.argsort(height[triangles[:, 0]])]))
+    actor = make_actor(slices, colors=shells_table())
     actor.GetMapper().InterpolateScalarsBeforeMappingOn()
     actor.GetProperty().LightingOff()
     actor.ForceTranslucentOn()
@@ -162,8 +166,8 @@ def curve_colors(curves):
         raise Missing("curves.vtp lacks a curve in P that it has in M")
     places = np.array([feet[c] for c in curves.curve])
     s, t = ((places - places.min(axis=0)) / np.maximum(np.ptp(places, axis=0), 1e-300)).T
-    weights = np.array([[(1 - s) * (1 - t), (1 - s) * t], [s * (1 - t), s * t]])
-    return np.einsum("ijn,ijc->nc", weights, CORNER_COLORS)
+    colors = interpolate_colors(CURVE_COLORS, s)
+    return colors + 0.5 * t[:, None] * (1 - colors)
 
 
 def make_tubes(lines, colors, points):
@@ -177,11 +181,11 @@ def make_tubes(lines, colors, points):
     return [make_actor(run(tube, polydata))]
 
 
-def checker_steps(mesh):
-    """about 16 squares along the floor, and layers of about the same height, at least 6"""
-    extents = np.array([np.ptp(mesh.value(name)) for name in "uvw"])
-    side = extents[:2].max() / 16
-    return np.array([side, side, extents[2] / max(6, round(extents[2] / side))])
+def checker_steps(domain_points):
+    """16 squares along the floor, and layers of about the same height, at least 6; w grows from 0 to 1"""
+    length, width, height = np.ptp(domain_points, axis=0)
+    side = max(length, width) / 16
+    return np.array([side, side, 1 / max(6, round(height / side))])
 
 
 def split_at_multiples(polydata, name, step):

@@ -42,12 +42,16 @@ class Result:
 
     @functools.cached_property
     def domain_points(self):
-        """the image of each vertex in P"""
-        if (self.folder / "parameter.mesh").is_file():
-            points = read_medit(self.folder / "parameter.mesh", ("Vertices",))["Vertices"][:, :3]
-            if len(points) == len(self.mesh.points):
-                return points
-        return np.column_stack([self.mesh.value(name) for name in "uvw"])
+        """the image of each vertex in P: u, v, and w times the height of P"""
+        u, v, w = (self.mesh.value(name) for name in "uvw")
+        return np.column_stack([u, v, w * self.domain_height])
+
+    @property
+    def domain_height(self):
+        in_domain = self.curves.domain == 1
+        if not in_domain.any():
+            raise Missing(f"{self.folder / 'curves.vtp'} has no curves in P")
+        return max(self.curves.lines[i][:, 2].max() for i in np.flatnonzero(in_domain))
 
 
 class Tetrahedra:
@@ -124,7 +128,7 @@ def read_medit(path, names):
                 sections[words[k]] = np.array(words[k + 2:end], dtype=float).reshape(rows, columns)
             k = end
     except (IndexError, KeyError, ValueError):
-        raise Missing(f"{path} is malformed near word {k}, {words[k]}") from None
+        raise Missing(f"{path} is malformed in its section {words[k]}") from None
     for name in names:
         if not len(sections.get(name, ())):
             raise Missing(f"{path} has no {name}")

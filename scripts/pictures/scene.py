@@ -116,6 +116,17 @@ def make_lights():
         yield light
 
 
+def ordered_pass():
+    """blends translucent cells in their order; VTK's own passes mix or sort them"""
+    steps = vtk.vtkRenderPassCollection()
+    for step in (vtk.vtkLightsPass(), vtk.vtkOpaquePass(), vtk.vtkTranslucentPass(), vtk.vtkOverlayPass()):
+        steps.AddItem(step)
+    sequence, camera = vtk.vtkSequencePass(), vtk.vtkCameraPass()
+    sequence.SetPasses(steps)
+    camera.SetDelegatePass(sequence)
+    return camera
+
+
 class Picture:
     """one image of one or several panels, filled row by row"""
 
@@ -134,8 +145,10 @@ class Picture:
         renderer.SetViewport(column / self.columns, 1 - (row + 1) / self.rows, (column + 1) / self.columns,
                              1 - row / self.rows)
         renderer.SetBackground(1, 1, 1)
-        renderer.SetUseDepthPeeling(not in_order)
+        renderer.SetUseDepthPeeling(True)
         renderer.SetMaximumNumberOfPeels(12)
+        if in_order:
+            renderer.SetPass(ordered_pass())
         for actor in actors:
             renderer.AddViewProp(actor)
         for light in make_lights():
@@ -150,13 +163,17 @@ class Picture:
         for i, (line, color) in enumerate(reversed(lines)):
             label = vtk.vtkTextActor()
             label.SetInput(line)
-            label.GetTextProperty().SetColor(color)
+            label.GetTextProperty().SetColor(*(0.8 * channel for channel in color))
             label.GetTextProperty().SetFontSize(size * SUPERSAMPLING)
             label.GetTextProperty().BoldOn()
             label.SetPosition(14 * SUPERSAMPLING, (12 + 1.35 * size * i) * SUPERSAMPLING)
             self.renderers[-1].AddViewProp(label)
 
     def add_scalar_bar(self, colors, title):
+        """at the right of the last panel, whose contents make room"""
+        camera = self.renderers[-1].GetActiveCamera()
+        camera.SetWindowCenter(0.09, 0)
+        camera.SetParallelScale(1.1 * camera.GetParallelScale())
         bar = vtk.vtkScalarBarActor()
         bar.SetLookupTable(colors)
         bar.SetTitle(title)
@@ -220,7 +237,7 @@ def make_actor(data, color=None, opacity=1.0, edges=False, colors=None):
 def make_shell(surface):
     """a translucent surface with its creases"""
     creases = vtk.vtkFeatureEdges()
-    creases.SetFeatureAngle(40)
+    creases.SetFeatureAngle(60)
     creases.ColoringOff()
     lines = make_actor(run(creases, surface), color=EDGE_COLOR, opacity=0.6)
     lines.GetProperty().SetLineWidth(SUPERSAMPLING)

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <iostream>
+#include <limits>
 #include <random>
 #include <set>
 
@@ -87,7 +88,7 @@ void test_round_trips(const VMP::Floor_map_2<Kernel>& map, int points, double to
   std::uniform_real_distribution<double> x(box.xmin, box.xmax), y(box.ymin, box.ymax);
   for (int k = 0; k < points;) {
     const typename Kernel::Point_2 p(x(random), y(random));
-    VMP::Floor_point<Kernel> q;
+    VMP::Base_point_3<Kernel> q;
     const VMP::Status status = map.preimage(p, q);
     assert(status.ok() == (map.domain().bounded_side(p) != CGAL::ON_UNBOUNDED_SIDE));
     if (!status.ok()) continue;
@@ -114,7 +115,7 @@ void test_border(const VMP::Compact_tetrahedral_mesh_3<Kernel>& mesh, const VMP:
       const double share = k < 4 ? 0 : std::uniform_real_distribution<double>(0, 1)(random);
       const typename Kernel::Point_2 p(c[0] + share * (d[0] - c[0]), c[1] + share * (d[1] - c[1]));
       if (box.bounded_side(p) != CGAL::ON_BOUNDARY) continue; // rounded off the side at its end
-      VMP::Floor_point<Kernel> q;
+      VMP::Base_point_3<Kernel> q;
       const VMP::Status status = map.preimage(p, q);
       assert(status.ok());
       const auto v = mesh.vertices(q.facet);
@@ -150,6 +151,11 @@ void test_block_is_kept(int holes) {
   const auto map =
       test_map<Inexact>(Block_with_holes<Inexact::Point_3>(holes, 4, 2).soup(), holes, 1000, 1e-14);
   const VMP::Prism_3<Inexact>& domain = map.domain();
+  VMP::Base_point_3<Inexact> q;
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  for (const Inexact::Point_2& p :
+       {Inexact::Point_2(nan, 1), Inexact::Point_2(1, nan), Inexact::Point_2(-1, 1)})
+    assert(map.preimage(p, q).code() == VMP::ERROR_OUTSIDE);
   assert(std::abs(domain.outer().width() * domain.outer().height() - 3 * (2 * holes + 1)) <
          0.05 * (2 * holes + 1));
   assert(std::abs(domain.height() - 1) < 1e-12);

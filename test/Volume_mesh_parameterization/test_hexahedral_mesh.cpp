@@ -2,6 +2,7 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
 #include <CGAL/Volume_mesh_parameterization/hexahedral_mesh.h>
+#include <CGAL/Volume_mesh_parameterization/verify_hexahedra.h>
 
 #include <cassert>
 #include <cmath>
@@ -23,7 +24,7 @@ Prism block(int holes) {
 }
 
 struct Identity {
-  double height, factor; // a negative factor mirrors the block
+  double height, factor; // a factor of -1 mirrors the block
   VMP::Status operator()(const Point_2& p, std::size_t layers, std::vector<Point_3>& points) const {
     for (std::size_t k = 0; k <= layers; ++k)
       points.push_back(Point_3(p.x(), p.y(), factor * height * double(k) / double(layers)));
@@ -44,9 +45,10 @@ void test_block(int holes) {
   const VMP::Status status = VMP::hexahedral_mesh(prism, grid, Identity{1.5, 1}, mesh);
   assert(status.ok() && mesh.hexahedra.size() == VMP::number_of_hexahedra(prism, grid));
   assert(mesh.hexahedra.size() == std::size_t(prism.base_area() * prism.height() * 64));
-  const VMP::Hexahedra_quality quality = VMP::measure_hexahedra(mesh);
-  assert(quality.inverted_corners == 0 && quality.inverted_hexahedra == 0 && quality.below_one_fifth == 0);
-  assert(quality.min_scaled_jacobian > 1 - 1e-12 && quality.mean_scaled_jacobian > 1 - 1e-12);
+  const VMP::Hexahedra_report report = VMP::verify_hexahedra(mesh);
+  assert(report.is_valid() && report.genus == holes && report.irregular_edges == 0 &&
+         report.irregular_vertices == 0);
+  assert(report.minimum_scaled_jacobian > 1 - 1e-12);
   std::map<int, double> areas;
   for (const VMP::Labelled_quadrilateral& q : mesh.facets) {
     areas[q.label] += area(mesh, q);
@@ -70,17 +72,11 @@ void test_target() {
   }
 }
 
-void test_inverted() {
+void test_mirrored() {
   Hexahedra mesh;
   const Prism prism = block(1);
-  VMP::Status status = VMP::hexahedral_mesh(prism, VMP::prism_grid(prism, 1), Identity{1, -1}, mesh);
-  assert(status.ok());
-  VMP::Hexahedra_quality quality = VMP::measure_hexahedra(mesh);
-  assert(quality.inverted_hexahedra == mesh.hexahedra.size() &&
-         quality.inverted_corners == 8 * mesh.hexahedra.size());
-  assert(quality.min_scaled_jacobian == -1);
-  status = VMP::hexahedral_mesh(prism, VMP::prism_grid(prism, 1), Identity{1, 0}, mesh);
-  assert(status.ok() && VMP::measure_hexahedra(mesh).inverted_hexahedra == mesh.hexahedra.size());
+  const VMP::Status status = VMP::hexahedral_mesh(prism, VMP::prism_grid(prism, 1), Identity{1, -1}, mesh);
+  assert(status.ok() && VMP::verify_hexahedra(mesh).inverted == mesh.hexahedra.size());
 }
 
 void test_refusals() {
@@ -102,7 +98,7 @@ void test_refusals() {
 int main() {
   for (int holes = 0; holes <= 3; ++holes) test_block(holes);
   test_target();
-  test_inverted();
+  test_mirrored();
   test_refusals();
   std::cout << "done" << std::endl;
   return EXIT_SUCCESS;

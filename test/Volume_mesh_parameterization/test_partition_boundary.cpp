@@ -75,7 +75,9 @@ void test_torus() {
   auto soup = make_torus<P>(48, 24);
   const std::size_t number_of_points = soup.points.size();
   const auto original = soup.points;
-  const VMP::Status status = VMP::partition_boundary(soup, Direction(0, 0, 5));
+  VMP::Partition_options options;
+  options.wall_width = .2;
+  const VMP::Status status = VMP::partition_boundary(soup, Direction(0, 0, 5), options);
   assert(status.ok());
   assert(soup.points.size() > number_of_points && soup.labels.size() == soup.triangles.size());
   assert(std::equal(original.begin(), original.end(), soup.points.begin()));
@@ -137,7 +139,9 @@ void test_tetrahedra() {
   Mesh mesh = make_ball();
   test_orientation(mesh);
   const std::size_t number_of_cells = mesh.number_of_cells();
-  const VMP::Status status = VMP::partition_boundary(mesh, Direction(1, 1, 1));
+  VMP::Partition_options options;
+  options.wall_width = .2;
+  const VMP::Status status = VMP::partition_boundary(mesh, Direction(1, 1, 1), options);
   assert(status.ok());
   assert(mesh.number_of_cells() > number_of_cells);
   const auto partition = summarize(mesh);
@@ -197,6 +201,13 @@ void test_refusals() {
   soup.triangles.push_back(soup.triangles.back());
   assert(VMP::partition_boundary(soup, Direction(0, 0, 1)).code() == VMP::ERROR_NON_MANIFOLD);
   assert(VMP::partition_boundary(soup).code() == VMP::ERROR_NON_MANIFOLD);
+  soup = original;
+  for (const Point& p : original.points) soup.points.push_back(p + Kernel::Vector_3(5, 0, 0));
+  for (auto triangle : original.triangles) {
+    for (std::size_t& v : triangle) v += original.points.size();
+    soup.triangles.push_back(triangle);
+  }
+  assert(VMP::partition_boundary(soup).code() == VMP::ERROR_SEVERAL_COMPONENTS);
   soup = Soup();
   assert(VMP::partition_boundary(soup).code() == VMP::ERROR_EMPTY_MESH);
 }

@@ -12,7 +12,7 @@
 
 #include <CGAL/Volume_mesh_parameterization/Compact_tetrahedral_mesh_3.h>
 #include <CGAL/Volume_mesh_parameterization/Error_code.h>
-#include <CGAL/Volume_mesh_parameterization/Floor_point_3.h>
+#include <CGAL/Volume_mesh_parameterization/Base_point_3.h>
 #include <CGAL/Volume_mesh_parameterization/Prism_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Bucket_grid_2.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Floor_map_builder.h>
@@ -23,7 +23,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <string>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -90,7 +92,7 @@ public:
   /// returns the facet of the mesh that triangle `t` is a part of.
   Facet_index parent(std::size_t t) const { return m_surface.parent(t); }
   /// returns corner `i` of triangle `t` as a point of the floor.
-  Floor_point<GeomTraits> corner(std::size_t t, int i) const {
+  Base_point_3<GeomTraits> corner(std::size_t t, int i) const {
     const auto& w = m_surface.weights(t)[i];
     return {parent(t), {FT(w[0]), FT(w[1]), FT(w[2])}};
   }
@@ -118,14 +120,14 @@ public:
     const Triangle& t = triangle(*part);
     return combine(weights_in(corners(*part), p), {m_images[t[0]], m_images[t[1]], m_images[t[2]]});
   }
-  Point_2 image(const Floor_point<GeomTraits>& p) const { return image(p.facet, p.barycentric); }
+  Point_2 image(const Base_point_3<GeomTraits>& p) const { return image(p.facet, p.barycentric); }
 
   /// finds the point of the floor with image `p` in about constant time. If `p` is on a side of the domain, then
   /// the weight of the vertex off the rim is exactly 0.
   /// \returns `ERROR_OUTSIDE` if `p` is outside of the domain or in a hole
-  Status preimage(const Point_2& p, Floor_point<GeomTraits>& result) const {
+  Status preimage(const Point_2& p, Base_point_3<GeomTraits>& result) const {
     const Bounded_side side = m_domain.bounded_side(p);
-    if (side == ON_BOUNDARY) return border_preimage(p, result), Status();
+    if (side == ON_BOUNDARY && border_preimage(p, result)) return {};
     const auto is_in = [&](std::uint32_t t) { return contains(image_corners(t), p); };
     const std::uint32_t t = side == ON_BOUNDED_SIDE ? m_grid.find(p, is_in) : internal::Refined_surface::none;
     if (t == internal::Refined_surface::none)
@@ -202,15 +204,15 @@ private:
                    c[n].y() + (w[i] * (c[i].y() - c[n].y()) + w[j] * (c[j].y() - c[n].y())));
   }
 
-  Floor_point<GeomTraits> combine_corners(std::uint32_t t, const Weights& w) const {
-    Floor_point<GeomTraits> result{parent(t), {FT(0), FT(0), FT(0)}};
+  Base_point_3<GeomTraits> combine_corners(std::uint32_t t, const Weights& w) const {
+    Base_point_3<GeomTraits> result{parent(t), {FT(0), FT(0), FT(0)}};
     for (int i = 0; i < 3; ++i)
       for (int k = 0; k < 3; ++k) result.barycentric[k] += w[i] * FT(m_surface.weights(t)[i][k]);
     return result;
   }
 
-  // p lies on a side of the domain, so on an edge of the border.
-  void border_preimage(const Point_2& p, Floor_point<GeomTraits>& result) const {
+  // p lies on a side of the domain, so on an edge of the border, unless it is not a number.
+  bool border_preimage(const Point_2& p, Base_point_3<GeomTraits>& result) const {
     const auto is_after = [](const auto& key, const Border_edge& e) {
       return key < std::make_tuple(e.axis, FT(e.plane), FT(e.low));
     };
@@ -220,7 +222,7 @@ private:
           std::upper_bound(m_border.begin(), m_border.end(), std::make_tuple(axis, p[axis], along), is_after);
       if (e == m_border.begin()) continue;
       --e;
-      if (e->axis != axis || p[axis] != e->plane || along > e->high) continue;
+      if (e->axis != axis || p[axis] != e->plane || !(along <= e->high)) continue;
       const std::uint32_t h = e->half_edge;
       const bool forward = m_images[m_surface.source(h)][1 - axis] == e->low;
       const FT share = (along - e->low) / (FT(e->high) - e->low);
@@ -228,8 +230,9 @@ private:
       w[(forward ? h : m_surface.next(h)) % 3] = 1 - share;
       w[(forward ? m_surface.next(h) : h) % 3] = share;
       result = combine_corners(h / 3, w);
-      return;
+      return true;
     }
+    return false;
   }
 
   void set_domain(const internal::Floor_map_builder<GeomTraits>& builder, const Mesh& mesh) {

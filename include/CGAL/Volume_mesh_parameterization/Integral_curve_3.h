@@ -12,7 +12,7 @@
 
 #include <CGAL/Volume_mesh_parameterization/Compact_tetrahedral_mesh_3.h>
 #include <CGAL/Volume_mesh_parameterization/Curve_field_3.h>
-#include <CGAL/Volume_mesh_parameterization/Floor_point_3.h>
+#include <CGAL/Volume_mesh_parameterization/Base_point_3.h>
 
 #include <algorithm>
 #include <array>
@@ -119,7 +119,7 @@ public:
   using Mesh = Compact_tetrahedral_mesh_3<GeomTraits>;
   using Field = Curve_field_3<GeomTraits>;
   using Location = Location_3<GeomTraits>;
-  using Base_point = Floor_point<GeomTraits>;
+  using Base_point = Base_point_3<GeomTraits>;
   using FT = typename GeomTraits::FT;
 
   /// keeps references to both arguments.

@@ -15,6 +15,7 @@
 #include <CGAL/Volume_mesh_parameterization/Prism_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Vertex_stars.h>
 
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -39,7 +40,7 @@ public:
   using Curves = Integral_curves_3<GeomTraits>;
   using Floor_map = Floor_map_2<GeomTraits>;
   using Location = Location_3<GeomTraits>;
-  using Base_point = Floor_point<GeomTraits>;
+  using Base_point = Base_point_3<GeomTraits>;
   using FT = typename GeomTraits::FT;
   using Point_2 = typename GeomTraits::Point_2;
   using Point_3 = typename GeomTraits::Point_3;
@@ -90,13 +91,15 @@ public:
   }
 
   /// computes the images of all vertices of M.
+  /// \returns `ERROR_CURVE_LOST`, for uncertified curves only; then `images` is left as it was
   Status vertex_images(std::vector<Point_3>& images) const {
     const internal::Vertex_stars stars(mesh());
-    images.resize(mesh().number_of_vertices());
+    std::vector<Point_3> result(mesh().number_of_vertices());
     for (Vertex_index v : mesh().vertices()) {
-      const Status status = image(location(*stars.cells(v).begin(), v), images[v]);
+      const Status status = image(location(*stars.cells(v).begin(), v), result[v]);
       if (!status.ok()) return status;
     }
+    images = std::move(result);
     return {};
   }
 

@@ -10,18 +10,15 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
-#include <CGAL/Volume_mesh_parameterization/Compact_tetrahedral_mesh_3.h>
 #include <CGAL/Volume_mesh_parameterization/Error_code.h>
 #include <CGAL/Volume_mesh_parameterization/Hexahedron_soup_3.h>
 #include <CGAL/Volume_mesh_parameterization/Prism_3.h>
 
-#include <CGAL/Kernel/global_functions.h>
 #include <CGAL/number_utils.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <string>
 #include <vector>
 
 namespace CGAL {
@@ -233,79 +230,6 @@ Status hexahedral_mesh(const Prism_3<GeomTraits>& prism, const Prism_grid& grid,
   const Status status = internal::Hexahedra_builder<GeomTraits, Point>(prism, grid, mesh).build(column);
   if (!status.ok()) mesh = Hexahedron_soup_3<Point>();
   return status;
-}
-
-/*!
-\ingroup PkgVolumeMeshParameterizationHexahedra
-
-tells how good hexahedra are.
-*/
-struct Hexahedra_quality {
-  std::size_t inverted_corners = 0; ///< corners whose tetrahedron is not positive, by exact signs
-  std::size_t inverted_hexahedra =
-      0;                           ///< hexahedra with such a corner or a scaled Jacobian that is not positive
-  std::size_t below_one_fifth = 0; ///< hexahedra with a scaled Jacobian less than 0.2
-  double min_scaled_jacobian = 1;
-  double mean_scaled_jacobian = 0;
-};
-
-namespace internal {
-
-// The three neighbors of each corner, positively oriented with it.
-constexpr int hexahedron_corners[8][3] = {{1, 3, 4}, {2, 0, 5}, {3, 1, 6}, {0, 2, 7},
-                                          {7, 5, 0}, {4, 6, 1}, {5, 7, 2}, {6, 4, 3}};
-
-inline double scaled_determinant(const Double_kernel::Vector_3& u, const Double_kernel::Vector_3& v,
-                                 const Double_kernel::Vector_3& w) {
-  const double lengths = std::sqrt((u * u) * (v * v) * (w * w));
-  return lengths > 0 ? CGAL::determinant(u, v, w) / lengths : -1;
-}
-
-// The least scaled determinant of the edges at the corners and of the principal axes at the center (C. J. Stimpson et
-// al., The Verdict geometric quality library, 2007, 6.14).
-inline double scaled_jacobian(const std::array<Double_kernel::Point_3, 8>& p) {
-  double least = 1;
-  for (int i = 0; i < 8; ++i) {
-    const int* n = hexahedron_corners[i];
-    least = (std::min)(least, scaled_determinant(p[n[0]] - p[i], p[n[1]] - p[i], p[n[2]] - p[i]));
-  }
-  const auto axis = [&p](const std::array<int, 4>& from, const std::array<int, 4>& to) {
-    Double_kernel::Vector_3 sum(0, 0, 0);
-    for (int i = 0; i < 4; ++i) sum = sum + (p[to[i]] - p[from[i]]);
-    return sum;
-  };
-  return (std::min)(least,
-                    scaled_determinant(axis({0, 3, 4, 7}, {1, 2, 5, 6}), axis({0, 1, 4, 5}, {3, 2, 7, 6}),
-                                       axis({0, 1, 2, 3}, {4, 5, 6, 7})));
-}
-
-} // namespace internal
-
-/*!
-\ingroup PkgVolumeMeshParameterizationHexahedra
-
-measures the hexahedra of `mesh`, in linear time.
-*/
-template <typename Point>
-Hexahedra_quality measure_hexahedra(const Hexahedron_soup_3<Point>& mesh) {
-  Hexahedra_quality quality;
-  for (const std::array<std::size_t, 8>& h : mesh.hexahedra) {
-    std::array<internal::Double_kernel::Point_3, 8> p;
-    std::size_t inverted = 0;
-    for (int i = 0; i < 8; ++i) {
-      const int* n = internal::hexahedron_corners[i];
-      p[i] = internal::approximate(mesh.points[h[i]]);
-      inverted += CGAL::orientation(mesh.points[h[i]], mesh.points[h[n[0]]], mesh.points[h[n[1]]],
-                                    mesh.points[h[n[2]]]) != CGAL::POSITIVE;
-    }
-    const double jacobian = internal::scaled_jacobian(p);
-    quality.inverted_corners += inverted;
-    quality.inverted_hexahedra += inverted > 0 || jacobian <= 0;
-    quality.below_one_fifth += jacobian < 0.2;
-    quality.min_scaled_jacobian = (std::min)(quality.min_scaled_jacobian, jacobian);
-    quality.mean_scaled_jacobian += jacobian / double(mesh.hexahedra.size());
-  }
-  return quality;
 }
 
 } // namespace Volume_mesh_parameterization

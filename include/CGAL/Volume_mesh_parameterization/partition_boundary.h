@@ -37,12 +37,12 @@ namespace Volume_mesh_parameterization {
 steers `partition_boundary()`.
 */
 struct Partition_options {
-  double wall_width =
-      .2; ///< of walls on smooth surfaces, as a share of the way from the floor to the ceiling
-  double island_share =
-      .15; ///< parts of a patch that lie apart and have less than this share of the area are flipped
-  bool may_refine =
-      true; ///< whether edges of the surface may be split, to let the rims run where they should
+  /// the width of walls on smooth surfaces, as a share of the way from the floor to the ceiling
+  double wall_width = .5;
+  /// parts of a patch that lie apart and have less than this share of the area are flipped
+  double island_share = .15;
+  /// whether edges of the surface may be split, to let the rims run where they should
+  bool may_refine = true;
 };
 
 namespace internal {
@@ -72,7 +72,12 @@ public:
   Boundary_partitioner(const Surface& surface, const Partition_options& options)
       : m_surface(surface), m_options(options), m_approximate(approximate_surface(surface)) {}
 
-  const Status& surface_status() const { return m_approximate.adjacency.status(); }
+  Status check_surface() const {
+    if (!m_approximate.adjacency.status().ok()) return m_approximate.adjacency.status();
+    return genus_of(m_approximate.adjacency) < 0
+               ? Status(ERROR_SEVERAL_COMPONENTS, "the surface is not connected")
+               : Status();
+  }
 
   // Labels the surface along a unit vector, with walls of this width; on success `result` is the labelled surface.
   Status run(const Vector_3& direction, double wall_width, Surface& result) {
@@ -86,6 +91,8 @@ private:
   // Walls at creases: the steep facets hardly depend on where steepness starts.
   static constexpr double least_steepness = .2, steepness = .4, largest_steepness = .6;
   static constexpr double undecided_share = .02;
+  // What isolines cut off may join a wall up to this share of the area; if it is more, the wall is too wide.
+  static constexpr double fragment_share = .005;
   // Normals are averaged over these shares of the area.
   static constexpr std::size_t number_of_averages = 5;
   static constexpr double averages[number_of_averages] = {1e-4, 3e-4, 1e-3, 3e-3, 1e-2};
@@ -101,7 +108,7 @@ private:
     }
     if (undecided > undecided_share * m_approximate.total_area)
       return {ERROR_NO_PARTITION, "no creases set the walls off"};
-    return finish(m_surface, m_approximate, std::move(labels), result);
+    return finish(m_surface, m_approximate, std::move(labels), m_options.island_share, result);
   }
 
   Status try_isolines(const Vector_3& direction, std::size_t k, double wall_width, Surface& result) {
@@ -185,12 +192,12 @@ private:
     const std::vector<int> upper = labels_by_level(approximate.adjacency, height, 1, FIRST_WALL, CEILING);
     for (std::size_t f = 0; f < labels.size(); ++f)
       labels[f] = std::max(labels[f] == FLOOR ? 0 : upper[f], int(FLOOR));
-    return finish(std::move(refined), approximate, std::move(labels), result);
+    return finish(std::move(refined), approximate, std::move(labels), fragment_share, result);
   }
 
   Status finish(Surface surface, const Approximate_surface& approximate, std::vector<int> labels,
-                Surface& result) const {
-    remove_fragments(approximate, labels, m_options.island_share);
+                double share, Surface& result) const {
+    remove_fragments(approximate, labels, share);
     number_walls(approximate, labels);
     assign_labels(surface, labels);
     const Status status = validate_labels(surface);
@@ -232,14 +239,15 @@ public:
   /// finds the next partition.
   /// \param result gets the surface with its labels; where the partitioner split edges it has more triangles
   /// \returns `ERROR_NO_PARTITION` if there are no more, with the reason for the last direction;
-  /// `ERROR_WRONG_PARAMETER` for a zero direction, `ERROR_EMPTY_MESH`, `ERROR_OPEN_SURFACE` or `ERROR_NON_MANIFOLD`
+  /// `ERROR_WRONG_PARAMETER` for a zero direction, `ERROR_EMPTY_MESH`, `ERROR_OPEN_SURFACE`,
+  /// `ERROR_NON_MANIFOLD` or `ERROR_SEVERAL_COMPONENTS`
   Status next(Surface& result) {
     Status status = check();
     for (; status.ok() && m_level < number_of_levels; ++m_level, m_next = 0)
       while (m_next < m_directions.size()) {
         if (m_is_done[m_next++]) continue;
         m_last =
-            m_partitioner.run(direction() / length(direction()), m_wall_width / std::pow(3, m_level), result);
+            m_partitioner.run(direction() / length(direction()), m_wall_width / std::pow(2, m_level), result);
         m_is_done[m_next - 1] = m_last.ok();
         if (m_last.ok()) return {};
       }
@@ -251,7 +259,7 @@ public:
   const Sweep_direction_3& direction() const { return m_directions[m_next - 1]; }
 
 private:
-  static constexpr int number_of_levels = 4; // of narrowing the walls to a third
+  static constexpr int number_of_levels = 6; // of halving the width of the walls
 
   static double length(const Sweep_direction_3& d) { return std::sqrt(d.squared_length()); }
 
@@ -259,7 +267,7 @@ private:
     for (const Sweep_direction_3& d : m_directions)
       if (!(length(d) > 0) || !std::isfinite(length(d)))
         return {ERROR_WRONG_PARAMETER, "the direction has no length"};
-    return m_partitioner.surface_status();
+    return m_partitioner.check_surface();
   }
 
   internal::Boundary_partitioner<Surface> m_partitioner;

@@ -110,18 +110,16 @@ Status cut_along_level(Triangle_soup_3<Point>& soup, Vertex_field& values, doubl
 // In a tetrahedral mesh the crossed edges of the boundary are split at their midpoints.
 template <typename GeomTraits>
 Status cut_along_level(Compact_tetrahedral_mesh_3<GeomTraits>& mesh, Vertex_field& values, double level) {
-  std::vector<std::pair<Vertex_index, Vertex_index>> crossed;
-  for (Facet_index f : mesh.boundary_facets()) {
-    const auto v = mesh.vertices(f);
-    for (int i = 0; i < 3; ++i) {
-      const Vertex_index a = v[i], b = v[(i + 1) % 3];
-      if (a < b && (values[a] < level) != (values[b] < level)) crossed.push_back({a, b});
-    }
-  }
   Splittable_mesh<GeomTraits> splittable(mesh);
   Status status;
-  for (const auto& [a, b] : crossed)
-    if (status.ok()) status = splittable.insert_barycentre({a, b});
+  for (Facet_index f : mesh.boundary_facets()) {
+    const auto v = mesh.vertices(f);
+    for (int i = 0; i < 3 && status.ok(); ++i) {
+      const Vertex_index below = v[i], above = v[(i + 1) % 3]; // the neighbor sees it the other way round
+      if (values[below] < level && values[above] >= level)
+        status = splittable.insert_barycentre({below, above});
+    }
+  }
   if (status.ok()) status = std::move(splittable).write_to(mesh);
   const Eigen::Index n = values.size();
   values.conservativeResize(Eigen::Index(mesh.number_of_vertices()));

@@ -5,8 +5,8 @@
 // $Id$
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_FLOOR_POINT_3_H
-#define CGAL_VOLUME_MESH_PARAMETERIZATION_FLOOR_POINT_3_H
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_BASE_POINT_3_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_BASE_POINT_3_H
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
@@ -18,14 +18,14 @@ namespace CGAL {
 namespace Volume_mesh_parameterization {
 
 /*!
-\ingroup PkgVolumeMeshParameterizationMap
+\ingroup PkgVolumeMeshParameterizationStructure
 
 is a point of the floor or of the ceiling of a solid.
 
 \tparam GeomTraits a model of `VolumeParameterizationTraits_3`
 */
 template <typename GeomTraits>
-struct Floor_point {
+struct Base_point_3 {
   Facet_index facet;
   std::array<typename GeomTraits::FT, 3> barycentric; ///< weights of the vertices of `facet`, in their order
 };
@@ -33,4 +33,4 @@ struct Floor_point {
 } // namespace Volume_mesh_parameterization
 } // namespace CGAL
 
-#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_FLOOR_POINT_3_H
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_BASE_POINT_3_H
