@@ -6,14 +6,11 @@
 #include <CGAL/Volume_mesh_parameterization/IO/read_surface.h>
 #include <CGAL/Volume_mesh_parameterization/check_surface.h>
 #include <CGAL/Volume_mesh_parameterization/check_tetrahedral_mesh.h>
-#include <CGAL/Volume_mesh_parameterization/handlebody_certificate.h>
-#include <CGAL/Volume_mesh_parameterization/partition_boundary.h>
-#include <CGAL/Volume_mesh_parameterization/tetrahedralize.h>
-#include <CGAL/Volume_mesh_parameterization/validate_partition.h>
+#include <CGAL/Volume_mesh_parameterization/partition_and_tetrahedralize.h>
 
 #include <algorithm>
 #include <filesystem>
-#include <functional>
+#include <vector>
 
 using VMP::Status;
 using Surface = VMP::Triangle_soup_3<Point_3>;
@@ -34,31 +31,6 @@ Status read_soup(const std::string& file, Soup& soup) {
   return {VMP::ERROR_WRONG_FORMAT, "the name does not end in .off .obj .ply .stl .mesh .vtk or .vtu"};
 }
 
-// The counts are legal; whether the floor carries the fundamental group only the solid can tell.
-Status check_solid(const Soup& soup) {
-  Mesh mesh;
-  VMP::Handlebody_certificate certificate;
-  Status status = mesh.assign(soup);
-  if (status.ok()) status = VMP::certify_handlebody(mesh, certificate);
-  if (status.ok()) status = VMP::validate_fundamental_group(mesh, certificate);
-  return status;
-}
-
-// A way to make labelled tetrahedra along a direction.
-using Labelled_soup = std::function<Status(const VMP::Sweep_direction_3&, Soup&)>;
-
-// Takes the first direction that gives a legal partition.
-Status try_directions(const std::vector<VMP::Sweep_direction_3>& directions, const Labelled_soup& make_soup, Input& input) {
-  Status status;
-  for (const VMP::Sweep_direction_3& d : directions) {
-    status = make_soup(d, input.soup);
-    if (status.ok()) status = check_solid(input.soup);
-    if (status.ok()) input.direction = {d.x(), d.y(), d.z()};
-    if (status.code() != VMP::ERROR_NO_PARTITION && status.code() != VMP::ERROR_FLOOR_NOT_ONTO) return status;
-  }
-  return {VMP::ERROR_NO_PARTITION, std::to_string(directions.size()) + " direction(s) tried, the last one fails so: " + status.message()};
-}
-
 template <typename Boundary>
 std::vector<VMP::Sweep_direction_3> directions_of(const Input_options& options, const Boundary& boundary) {
   if (!options.direction) return VMP::propose_directions(boundary);
@@ -73,36 +45,19 @@ Status load_surface(const Input_options& options, Stage_clock& clock, Input& inp
   Status status = read_surface(options.file, surface);
   if (!status.ok()) return status;
   clock.start("partition and tetrahedralize");
-  return try_directions(directions_of(options, surface),
-                        [&](const VMP::Sweep_direction_3& d, Soup& soup) {
-                          Surface labelled = surface;
-                          const Status partitioned = VMP::partition_boundary(labelled, d);
-                          return partitioned.ok() ? VMP::tetrahedralize(labelled, soup, options.number_of_tetrahedra)
-                                                  : partitioned;
-                        },
-                        input);
+  return VMP::partition_and_tetrahedralize(surface, directions_of(options, surface), options.number_of_tetrahedra,
+                                           input.mesh, &input.direction);
 }
 
 Status load_tetrahedra(const Input_options& options, Stage_clock& clock, Input& input) {
-  Mesh mesh;
   clock.start("read and check the tetrahedra");
-  const Status status = read_tetrahedra(options.file, mesh);
+  const Status status = read_tetrahedra(options.file, input.mesh);
   if (!status.ok()) return status;
-  const auto labels = mesh.labelled_facets();
+  const auto labels = input.mesh.labelled_facets();
   input.has_labels = options.partition != "auto" && std::any_of(labels.begin(), labels.end(), [](const auto& f) { return f.label != 0; });
-  if (options.partition == "labels" || input.has_labels) {
-    input.soup = VMP::make_soup(mesh);
-    return {};
-  }
+  if (options.partition == "labels" || input.has_labels) return {};
   clock.start("partition");
-  return try_directions(directions_of(options, mesh),
-                        [&](const VMP::Sweep_direction_3& d, Soup& soup) {
-                          Mesh labelled = mesh;
-                          const Status partitioned = VMP::partition_boundary(labelled, d);
-                          if (partitioned.ok()) soup = VMP::make_soup(labelled);
-                          return partitioned;
-                        },
-                        input);
+  return VMP::partition_solid(input.mesh, directions_of(options, input.mesh), &input.direction);
 }
 
 } // namespace

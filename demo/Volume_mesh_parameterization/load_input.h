@@ -6,13 +6,14 @@
 #include "types.h"
 
 #include <CGAL/Volume_mesh_parameterization/Triangle_soup_3.h>
+#include <CGAL/Volume_mesh_parameterization/propose_directions.h>
 
 // A tetrahedral mesh with a labelled boundary, and how it came about.
 struct Input {
-  Soup soup;
+  Mesh mesh;
   bool is_surface = false;
-  bool has_labels = false;                    // given in the file
-  std::array<double, 3> direction = {0, 0, 0}; // of the automatic partition
+  bool has_labels = false;                               // given in the file
+  VMP::Sweep_direction_3 direction = CGAL::NULL_VECTOR; // of the automatic partition
 };
 
 bool is_surface_file(const std::string& file);

@@ -56,12 +56,12 @@ private:
   Status map_solid(const Input& input) {
     m_report["input"]["kind"] = input.is_surface ? "surface" : "tetrahedra";
     m_report["input"]["partition"] = input.has_labels ? "labels" : "auto";
-    m_report["input"]["direction"] = input.direction;
+    m_report["input"]["direction"] = {input.direction.x(), input.direction.y(), input.direction.z()};
     const auto type = m_options.field == Field::CERTIFIED ? VMP::CERTIFIED_CURVES : VMP::FLUX_CURVES;
     const Status status =
-        m_parameterizer.run(input.soup, VMP::parameters::curve_type(type).visitor(Clock_visitor{&m_clock}));
+        m_parameterizer.run(input.mesh, VMP::parameters::curve_type(type).visitor(Clock_visitor{&m_clock}));
     m_clock.finish();
-    m_report["input"]["tetrahedra"] = input.soup.cells.size();
+    m_report["input"]["tetrahedra"] = input.mesh.number_of_cells();
     return status;
   }
 
@@ -88,7 +88,8 @@ private:
                           {"genus", p.partition().genus},
                           {"split_boundary_edges", splits.boundary_edges},
                           {"split_interior_edges", splits.interior_edges},
-                          {"split_facets", splits.facets}};
+                          {"split_facets", splits.facets},
+                          {"sweep", report_sweep(p.sweep_report())}};
     m_report["partition"] = report_partition(p.partition());
     m_report["certificates"] = {{"handlebody", true},
                                 {"longest_word", p.handlebody_certificate().longest_word()},

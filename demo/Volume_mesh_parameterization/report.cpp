@@ -56,6 +56,14 @@ Json report_partition(const VMP::Boundary_partition_3& partition) {
   return patches;
 }
 
+Json report_sweep(const VMP::Sweep_report& report) {
+  return {{"left_at_first", report.left_at_first},
+          {"from_ceiling", report.from_ceiling},
+          {"restarts", report.restarts},
+          {"refinements", report.refinements},
+          {"bisected_edges", report.bisected_edges}};
+}
+
 Json report_maximum_principle(const Parameterizer::Harmonic_function& f) {
   Json violations = Json::array();
   for (VMP::Vertex_index v : f.maximum_principle_violations()) violations.push_back({{"vertex", std::size_t(v)}, {"f", f(v)}});

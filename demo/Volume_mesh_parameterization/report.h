@@ -17,6 +17,7 @@ using Json = nlohmann::ordered_json;
 Json report_status(const VMP::Status& status);
 Json report_stages(const Stage_clock& clock);
 Json report_partition(const VMP::Boundary_partition_3& partition);
+Json report_sweep(const VMP::Sweep_report& report);
 Json report_maximum_principle(const Parameterizer::Harmonic_function& f);
 Json report_critical_points(const Mesh& mesh, const std::vector<VMP::Critical_vertex>& points);
 Json report_angles(const Parameterizer& parameterizer, const std::vector<double>& angles_of_curves);

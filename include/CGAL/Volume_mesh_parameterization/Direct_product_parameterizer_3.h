@@ -25,6 +25,7 @@
 #include <CGAL/Volume_mesh_parameterization/handlebody_certificate.h>
 #include <CGAL/Volume_mesh_parameterization/parameters.h>
 #include <CGAL/Volume_mesh_parameterization/prepare_patches.h>
+#include <CGAL/Volume_mesh_parameterization/sweep_with_repairs.h>
 #include <CGAL/Volume_mesh_parameterization/validate_partition.h>
 #include <CGAL/Volume_mesh_parameterization/verify_product.h>
 
@@ -81,17 +82,15 @@ public:
     const Level_function level = choose_parameter(get_parameter(np, internal_np::level_function), HARMONIC_LEVEL);
 
     Status status;
-    const auto stage = [&](const char* name, auto function) {
-      if (!status.ok()) return;
-      status = visitor.start_stage(name) ? function() : Status(ERROR_CANCELLED, std::string("before ") + name);
+    const auto stage = [&](const char* name, const auto& function) {
+      if (status.ok()) status = internal::run_stage(visitor, name, function);
     };
     stage("check the mesh", [&] { return read(mesh); });
     stage("validate the partition", [&] { return validate(); });
     stage("prepare the patches", [&] { return prepare_patches(m_mesh, m_preparation); });
+    stage("sweep along the dual potential", [&] { return sweep_cells(); });
     stage("solve for the harmonic function", [&] { return solve(m_harmonic_function); });
-    stage("solve for the dual potential", [&] { return solve(m_dual_potential); });
     stage("solve for the flux", [&] { return solve(m_flux_field); });
-    stage("sweep", [&] { return sweep_cells(); });
     stage("choose the curves", [&] { return choose_curves(type, level); });
     stage("map the floor", [&] { return map_floor(); });
     stage("map the vertices", [&] { return m_product_map->vertex_images(m_vertex_images); });
@@ -110,6 +109,7 @@ public:
   const Harmonic_function* harmonic_function() const { return pointer(m_harmonic_function); }
   const Dual_potential* dual_potential() const { return pointer(m_dual_potential); }
   const Flux_field* flux_field() const { return pointer(m_flux_field); }
+  const Sweep_report& sweep_report() const { return m_sweep_report; }
   const Product_structure* product_structure() const { return pointer(m_structure); }
   const Curve_field* curve_field() const { return pointer(m_curve_field); }
   const Floor_map* floor_map() const { return pointer(m_floor_map); }
@@ -148,8 +148,13 @@ private:
 
   // The order is checked by code that shares nothing with the sweep.
   Status sweep_cells() {
+    const auto potential = [this](const Mesh&, std::vector<double>& values) {
+      const Status status = solve(m_dual_potential);
+      if (status.ok()) values = m_dual_potential->values();
+      return status;
+    };
     Product_structure structure;
-    Status status = sweep(m_mesh, m_dual_potential->values(), structure);
+    Status status = sweep_with_repairs(m_mesh, potential, structure, m_sweep_report);
     if (status.ok()) status = verify_product(m_mesh, structure.order());
     if (status.ok()) m_structure.emplace(std::move(structure));
     return status;
@@ -179,6 +184,7 @@ private:
   std::optional<Harmonic_function> m_harmonic_function;
   std::optional<Dual_potential> m_dual_potential;
   std::optional<Flux_field> m_flux_field;
+  Sweep_report m_sweep_report;
   std::optional<Product_structure> m_structure;
   std::optional<Curve_field> m_curve_field;
   std::optional<Floor_map> m_floor_map;

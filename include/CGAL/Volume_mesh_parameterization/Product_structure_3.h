@@ -76,7 +76,8 @@ private:
 /*!
 \ingroup PkgVolumeMeshParameterizationStructure
 
-sweeps the cells of `mesh` from the floor, the free cell of least potential first; if that stops, from the ceiling.
+sweeps the cells of `mesh` from the floor, the free cell of least potential first. See `sweep_with_repairs()` for what
+to do if that stops.
 
 \param mesh a mesh with a legal partition, prepared by `prepare_patches()`
 \param potential one value per cell, increasing from the floor to the ceiling: see `Dual_potential_3`
@@ -90,23 +91,15 @@ Status sweep(const Compact_tetrahedral_mesh_3<GeomTraits>& mesh, const std::vect
              Product_structure_3<GeomTraits>& structure) {
   const internal::Edge_numbering edges(mesh);
   const internal::Vertex_stars stars(mesh);
-  internal::Sweep<GeomTraits> from_floor(mesh, edges, stars, FLOOR);
-  from_floor.run(potential);
-  if (from_floor.is_complete()) {
-    structure = {mesh, from_floor.order()};
+  internal::Sweep<GeomTraits> front(mesh, edges, stars, FLOOR);
+  front.run(potential);
+  if (front.is_complete()) {
+    structure = {mesh, front.order()};
     return {};
   }
-  std::vector<double> reversed(potential);
-  for (double& p : reversed) p = -p;
-  internal::Sweep<GeomTraits> from_ceiling(mesh, edges, stars, CEILING);
-  from_ceiling.run(reversed);
-  if (from_ceiling.is_complete()) {
-    structure = {mesh, {from_ceiling.order().rbegin(), from_ceiling.order().rend()}};
-    return {};
-  }
-  const auto left = std::find_if(mesh.cells().begin(), mesh.cells().end(),
-                                 [&](Cell_index c) { return !from_floor.is_swept(c); });
-  return {ERROR_SWEEP_STOPPED, std::to_string(mesh.number_of_cells() - from_floor.order().size()) +
+  const auto cells = mesh.cells();
+  const auto left = std::find_if(cells.begin(), cells.end(), [&](Cell_index c) { return !front.is_swept(c); });
+  return {ERROR_SWEEP_STOPPED, std::to_string(cells.size() - front.order().size()) +
                                    " tetrahedra are left, among them " + std::to_string(*left)};
 }
 

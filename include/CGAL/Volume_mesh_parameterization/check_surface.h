@@ -95,7 +95,7 @@ template <typename NT, typename Point>
 NT sixfold_volume(const Triangle_soup_3<Point>& soup) {
   NT sum(0);
   const auto origin = approximate(soup.points[soup.triangles[0][0]]);
-  const auto coordinate = [&](std::size_t v, int i) {
+  const auto coordinate = [&](std::size_t v, int i) -> NT { // no expression template of NT
     return NT(approximate(soup.points[v])[i]) - NT(origin[i]);
   };
   for (const auto& t : soup.triangles)

@@ -46,11 +46,11 @@ copies a surface into a soup, vertices and faces in the order of its iterators.
 \returns `ERROR_NOT_TRIANGULATED`; then `soup` is left as it was
 */
 template <typename TriangleMesh, typename Point,
-          typename NamedParameters = parameters::Default_named_parameters>
+          typename NamedParameters = CGAL::parameters::Default_named_parameters>
 Status make_triangle_soup(const TriangleMesh& mesh, Triangle_soup_3<Point>& soup,
-                          const NamedParameters& np = parameters::default_values()) {
+                          const NamedParameters& np = CGAL::parameters::default_values()) {
   const auto point_map =
-      parameters::choose_parameter(parameters::get_parameter(np, CGAL::internal_np::vertex_point),
+      CGAL::parameters::choose_parameter(CGAL::parameters::get_parameter(np, CGAL::internal_np::vertex_point),
                                    get_const_property_map(CGAL::vertex_point, mesh));
   const auto number = get(CGAL::dynamic_vertex_property_t<std::size_t>(), mesh);
   Triangle_soup_3<Point> result;

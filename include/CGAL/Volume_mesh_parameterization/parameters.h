@@ -11,8 +11,11 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/Curve_field_3.h>
+#include <CGAL/Volume_mesh_parameterization/Error_code.h>
 
 #include <CGAL/Named_function_parameters.h>
+
+#include <string>
 
 namespace CGAL {
 namespace Volume_mesh_parameterization {
@@ -39,6 +42,8 @@ enum Curve_type {
 namespace internal_np {
 enum curve_type_t { curve_type };
 enum level_function_t { level_function };
+enum sweep_direction_t { sweep_direction };
+enum number_of_cells_t { number_of_cells };
 } // namespace internal_np
 
 namespace parameters {
@@ -53,6 +58,16 @@ Named_function_parameters<T, internal_np::level_function_t> level_function(const
   return {t};
 }
 
+template <typename T>
+Named_function_parameters<T, internal_np::sweep_direction_t> sweep_direction(const T& t) {
+  return {t};
+}
+
+template <typename T>
+Named_function_parameters<T, internal_np::number_of_cells_t> number_of_cells(const T& t) {
+  return {t};
+}
+
 // Appends to a chain `np`, whatever it ends with; in CGAL from 5.6 on np.combine(p) does the same.
 template <typename T, typename Tag, typename Base, typename NamedParameters>
 Named_function_parameters<T, Tag, NamedParameters> combine(const NamedParameters& np,
@@ -62,6 +77,15 @@ Named_function_parameters<T, Tag, NamedParameters> combine(const NamedParameters
 
 } // namespace parameters
 /// \endcond
+
+namespace internal {
+
+template <typename Visitor, typename Function>
+Status run_stage(Visitor& visitor, const char* name, const Function& function) {
+  return visitor.start_stage(name) ? function() : Status(ERROR_CANCELLED, std::string("before ") + name);
+}
+
+} // namespace internal
 
 } // namespace Volume_mesh_parameterization
 } // namespace CGAL

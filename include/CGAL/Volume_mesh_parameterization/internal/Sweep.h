@@ -56,6 +56,9 @@ public:
     }
   }
 
+  // Leaves out a cell that another sweep has taken.
+  void exclude(Cell_index c) { m_swept[c] = 1; }
+
   // Sweeps whatever can be swept, the cell of lowest priority value first.
   void run(const std::vector<double>& priority) {
     using Entry = std::pair<double, Cell_index>;

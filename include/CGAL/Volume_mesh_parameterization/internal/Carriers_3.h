@@ -1,0 +1,163 @@
+// Copyright (c) 2026  The Volume_mesh_parameterization authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_CARRIERS_3_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_CARRIERS_3_H
+
+#include <CGAL/license/Volume_mesh_parameterization.h>
+
+#include <CGAL/Volume_mesh_parameterization/Compact_tetrahedral_mesh_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Facet_adjacency.h>
+
+#include <CGAL/AABB_tree.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/version.h>
+#if CGAL_VERSION_NR >= 1060000000
+#include <CGAL/AABB_segment_primitive_3.h>
+#include <CGAL/AABB_traits_3.h>
+#include <CGAL/AABB_triangle_primitive_3.h>
+#else
+#include <CGAL/AABB_segment_primitive.h>
+#include <CGAL/AABB_traits.h>
+#include <CGAL/AABB_triangle_primitive.h>
+#endif
+
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <map>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Volume_mesh_parameterization {
+namespace internal {
+
+// AABB_traits and its primitives were renamed in CGAL 6.
+template <typename Kernel>
+struct AABB_types {
+  using Triangles = std::vector<typename Kernel::Triangle_3>;
+  using Segments = std::vector<typename Kernel::Segment_3>;
+#if CGAL_VERSION_NR >= 1060000000
+  using Triangle_primitive = AABB_triangle_primitive_3<Kernel, typename Triangles::const_iterator>;
+  using Segment_primitive = AABB_segment_primitive_3<Kernel, typename Segments::const_iterator>;
+  template <typename Primitive>
+  using Tree = AABB_tree<AABB_traits_3<Kernel, Primitive>>;
+#else
+  using Triangle_primitive = AABB_triangle_primitive<Kernel, typename Triangles::const_iterator>;
+  using Segment_primitive = AABB_segment_primitive<Kernel, typename Segments::const_iterator>;
+  template <typename Primitive>
+  using Tree = AABB_tree<AABB_traits<Kernel, Primitive>>;
+#endif
+};
+
+// A point of a carrier, and an orthonormal basis of the directions in which it may move there.
+struct Foot_point {
+  Eigen::Vector3d point;
+  Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, 3> directions;
+};
+
+// What the nodes of a hexahedral mesh of a solid move on: the solid's patches, and the rims between two patches.
+class Carriers_3 {
+  using Kernel = Exact_predicates_inexact_constructions_kernel;
+  using Point_3 = Kernel::Point_3;
+  using Types = AABB_types<Kernel>;
+  using Labels = std::pair<int, int>; // of the two sides of a rim, in increasing order; twice the same for a patch
+
+  template <typename Shape, typename Primitive>
+  struct Carrier {
+    std::vector<Shape> shapes;
+    Types::Tree<Primitive> tree;
+  };
+  using Patch = Carrier<Kernel::Triangle_3, Types::Triangle_primitive>;
+  using Rim = Carrier<Kernel::Segment_3, Types::Segment_primitive>;
+
+public:
+  // Stands for one patch, for one rim, or for the whole space.
+  class Handle {
+    friend Carriers_3;
+    const Patch* patch = nullptr;
+    const Rim* rim = nullptr;
+  };
+
+  // Returns `ERROR_NON_MANIFOLD` if the boundary of the solid is no surface.
+  template <typename GeomTraits>
+  Status build(const Compact_tetrahedral_mesh_3<GeomTraits>& object) {
+    const Facet_adjacency surface = boundary_adjacency(object);
+    if (!surface.status().ok()) return surface.status();
+    const auto point = [&](Vertex_index v) { return to_point(approximate(object.point(v))); };
+    for (Facet_index f : surface.facets()) {
+      const int label = object.label(f);
+      const Facet_adjacency::Triangle& v = surface.triangle(f);
+      m_patches[{label, label}].shapes.emplace_back(point(v[0]), point(v[1]), point(v[2]));
+      for (int i = 0; i < 3; ++i) {
+        const int other = object.label(surface.neighbor(f, i));
+        if (label < other)
+          m_rims[{label, other}].shapes.emplace_back(point(v[(i + 1) % 3]), point(v[(i + 2) % 3]));
+      }
+    }
+    for (auto& patch : m_patches) build_tree(patch.second);
+    for (auto& rim : m_rims) build_tree(rim.second);
+    return {};
+  }
+
+  // Returns false if the patches with these labels have no facet, or no edge, in common.
+  bool find(const std::pair<int, int>& labels, Handle& handle) const {
+    const auto patch = m_patches.find(labels);
+    const auto rim = m_rims.find(labels);
+    handle.patch = patch == m_patches.end() ? nullptr : &patch->second;
+    handle.rim = rim == m_rims.end() ? nullptr : &rim->second;
+    return handle.patch || handle.rim;
+  }
+
+  // Returns the point nearest to p.
+  static Foot_point project(const Handle& carrier, const Eigen::Vector3d& p) {
+    if (carrier.patch) return project(*carrier.patch, p);
+    if (carrier.rim) return project(*carrier.rim, p);
+    return {p, Eigen::Matrix3d::Identity()};
+  }
+
+private:
+  template <typename Point>
+  static Point_3 to_point(const Point& p) {
+    return {p.x(), p.y(), p.z()};
+  }
+  template <typename Vector>
+  static Eigen::Vector3d to_vector(const Vector& v) {
+    return {v.x(), v.y(), v.z()};
+  }
+
+  template <typename AnyCarrier>
+  static void build_tree(AnyCarrier& carrier) {
+    carrier.tree.rebuild(carrier.shapes.cbegin(), carrier.shapes.cend());
+    carrier.tree.accelerate_distance_queries();
+  }
+
+  template <typename AnyCarrier>
+  static Foot_point project(const AnyCarrier& carrier, const Eigen::Vector3d& p) {
+    const auto foot = carrier.tree.closest_point_and_primitive(Point_3(p.x(), p.y(), p.z()));
+    return {to_vector(foot.first), directions(*foot.second)};
+  }
+
+  static Eigen::Matrix<double, 3, 2> directions(const Kernel::Triangle_3& t) {
+    const Eigen::Vector3d a = to_vector(t[1] - t[0]).normalized();
+    const Eigen::Vector3d normal = a.cross(to_vector(t[2] - t[0])).normalized();
+    Eigen::Matrix<double, 3, 2> basis;
+    basis << a, normal.cross(a);
+    return basis;
+  }
+  static Eigen::Vector3d directions(const Kernel::Segment_3& s) { return to_vector(s.to_vector()).normalized(); }
+
+  std::map<Labels, Patch> m_patches;
+  std::map<Labels, Rim> m_rims;
+};
+
+} // namespace internal
+} // namespace Volume_mesh_parameterization
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_CARRIERS_3_H

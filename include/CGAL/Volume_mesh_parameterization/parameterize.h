@@ -1,0 +1,173 @@
+// Copyright (c) 2026  The Volume_mesh_parameterization authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_PARAMETERIZE_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_PARAMETERIZE_H
+
+#include <CGAL/license/Volume_mesh_parameterization.h>
+
+#include <CGAL/Volume_mesh_parameterization/Direct_product_parameterizer_3.h>
+#include <CGAL/Volume_mesh_parameterization/check_surface.h>
+#include <CGAL/Volume_mesh_parameterization/make_triangle_soup.h>
+#include <CGAL/Volume_mesh_parameterization/parameters.h>
+#include <CGAL/Volume_mesh_parameterization/partition_and_tetrahedralize.h>
+
+#include <CGAL/number_utils.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Volume_mesh_parameterization {
+
+/*!
+\ingroup PkgVolumeMeshParameterizationRef
+
+maps a solid with a labelled boundary one to one onto a prism.
+
+\tparam TetrahedralMesh a model of `TetrahedralMesh_3`
+\tparam GeomTraits a model of `VolumeParameterizationTraits_3`
+\tparam Solver a model of `SparseLinearAlgebraWithFactorTraits_d`
+\tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+
+\param mesh a handlebody whose boundary facets are labelled: 1 floor, 2 ceiling, 3 + k wall k. `partition_solid()` finds
+labels for one that has none
+\param result receives what every stage computes; may be used once
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
+
+\cgalNamedParamsBegin
+  \cgalParamNBegin{visitor}
+    \cgalParamDescription{is told which stage begins, and may stop; a copy is used}
+    \cgalParamType{a class with the functions of `Default_parameterization_visitor`}
+    \cgalParamDefault{`Default_parameterization_visitor()`}
+  \cgalParamNEnd
+  \cgalParamNBegin{curve_type}
+    \cgalParamDescription{the curves that the map follows}
+    \cgalParamType{`Curve_type`}
+    \cgalParamDefault{`CERTIFIED_CURVES`}
+  \cgalParamNEnd
+  \cgalParamNBegin{level_function}
+    \cgalParamDescription{what the third coordinate measures along a curve}
+    \cgalParamType{`Level_function`}
+    \cgalParamDefault{`HARMONIC_LEVEL`}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
+
+\returns the failure of the first stage that failed: the errors of `Compact_tetrahedral_mesh_3::assign()`,
+`check_tetrahedral_mesh()`, `validate_partition()`, `certify_handlebody()`, `validate_fundamental_group()`,
+`prepare_patches()`, `sweep()` and `Floor_map_2::build()`; `ERROR_CANNOT_SOLVE`; for `FLUX_CURVES` also
+`ERROR_CURVE_LOST`; `ERROR_CANCELLED` if the visitor stopped
+*/
+template <typename TetrahedralMesh, typename GeomTraits, typename Solver,
+          typename NamedParameters = CGAL::parameters::Default_named_parameters>
+Status parameterize(const TetrahedralMesh& mesh, Direct_product_parameterizer_3<GeomTraits, Solver>& result,
+                    const NamedParameters& np = CGAL::parameters::default_values()) {
+  return result.run(mesh, np);
+}
+
+namespace internal {
+
+template <typename Surface>
+std::vector<Sweep_direction_3> directions_to_try(const Surface& surface, CGAL::internal_np::Param_not_found) {
+  return propose_directions(surface);
+}
+
+template <typename Surface, typename Vector>
+std::vector<Sweep_direction_3> directions_to_try(const Surface&, const Vector& given) {
+  return {
+      Sweep_direction_3(CGAL::to_double(given.x()), CGAL::to_double(given.y()), CGAL::to_double(given.z()))};
+}
+
+} // namespace internal
+
+/*!
+\ingroup PkgVolumeMeshParameterizationRef
+
+maps the solid inside a closed surface one to one onto a prism: checks the surface, divides it into floor, ceiling and
+walls, fills it with tetrahedra, and calls `parameterize()`. The surface may be oriented either way.
+
+Needs TetGen: see `tetrahedralize()`.
+
+\tparam Point the point type of `GeomTraits`
+\tparam GeomTraits a model of `VolumeParameterizationTraits_3`
+\tparam Solver a model of `SparseLinearAlgebraWithFactorTraits_d`
+\tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+
+\param surface the boundary of a handlebody; its labels are not used
+\param result receives what every stage computes; may be used once
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among those of `parameterize()` and these:
+
+\cgalNamedParamsBegin
+  \cgalParamNBegin{sweep_direction}
+    \cgalParamDescription{the direction from the floor to the ceiling}
+    \cgalParamType{a vector of a \cgal kernel, of any length but 0}
+    \cgalParamDefault{the first one of `propose_directions()` that gives a legal partition}
+  \cgalParamNEnd
+  \cgalParamNBegin{number_of_cells}
+    \cgalParamDescription{about how many tetrahedra are wanted, as far as the given triangles allow; 0: as many as their
+    shapes need}
+    \cgalParamType{`std::size_t`}
+    \cgalParamDefault{30000}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
+
+\returns the errors of `check_surface()`, `partition_and_tetrahedralize()` and `parameterize()`
+*/
+template <typename Point, typename GeomTraits, typename Solver,
+          typename NamedParameters = CGAL::parameters::Default_named_parameters>
+Status parameterize_surface(const Triangle_soup_3<Point>& surface,
+                            Direct_product_parameterizer_3<GeomTraits, Solver>& result,
+                            const NamedParameters& np = CGAL::parameters::default_values()) {
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
+  auto visitor =
+      choose_parameter(get_parameter(np, CGAL::internal_np::visitor), Default_parameterization_visitor());
+  const std::size_t number_of_cells =
+      choose_parameter(get_parameter(np, internal_np::number_of_cells), std::size_t(30000));
+
+  Triangle_soup_3<Point> checked = surface;
+  Compact_tetrahedral_mesh_3<GeomTraits> solid;
+  Status status = internal::run_stage(visitor, "check the surface", [&] { return check_surface(checked); });
+  if (status.ok())
+    status = internal::run_stage(visitor, "partition and tetrahedralize", [&] {
+      const auto directions =
+          internal::directions_to_try(checked, get_parameter(np, internal_np::sweep_direction));
+      return partition_and_tetrahedralize(checked, directions, number_of_cells, solid);
+    });
+  return status.ok() ? parameterize(solid, result, np) : status;
+}
+
+/*!
+\ingroup PkgVolumeMeshParameterizationRef
+
+maps the solid inside a closed triangle mesh, as the function above.
+
+\tparam TriangleMesh a model of `FaceListGraph` and `VertexListGraph`
+
+\cgalNamedParamsBegin
+  \cgalParamNBegin{vertex_point_map}
+    \cgalParamDescription{a property map with the point of each vertex, of the point type of `GeomTraits`}
+    \cgalParamDefault{`get(CGAL::vertex_point, mesh)`}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
+
+\returns also `ERROR_NOT_TRIANGULATED`
+*/
+template <typename TriangleMesh, typename GeomTraits, typename Solver,
+          typename NamedParameters = CGAL::parameters::Default_named_parameters>
+Status parameterize_surface(const TriangleMesh& mesh,
+                            Direct_product_parameterizer_3<GeomTraits, Solver>& result,
+                            const NamedParameters& np = CGAL::parameters::default_values()) {
+  Triangle_soup_3<typename GeomTraits::Point_3> surface;
+  const Status status = make_triangle_soup(mesh, surface, np);
+  return status.ok() ? parameterize_surface(surface, result, np) : status;
+}
+
+} // namespace Volume_mesh_parameterization
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_PARAMETERIZE_H

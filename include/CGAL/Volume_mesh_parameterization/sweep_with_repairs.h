@@ -1,0 +1,211 @@
+// Copyright (c) 2026  The Volume_mesh_parameterization authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_SWEEP_WITH_REPAIRS_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_SWEEP_WITH_REPAIRS_H
+
+#include <CGAL/license/Volume_mesh_parameterization.h>
+
+#include <CGAL/Volume_mesh_parameterization/Compact_tetrahedral_mesh_3.h>
+#include <CGAL/Volume_mesh_parameterization/Product_structure_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Refinable_order.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Sweep.h>
+
+#include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Volume_mesh_parameterization {
+
+/*!
+\ingroup PkgVolumeMeshParameterizationStructure
+
+tells what it took to finish a sweep.
+*/
+struct Sweep_report {
+  std::size_t left_at_first = 0;   ///< cells that the first sweep from the floor did not reach
+  bool from_ceiling = false;       ///< the sweep was finished from the ceiling alone
+  std::size_t restarts = 0;        ///< sweeps from both ends with learned priorities
+  std::size_t refinements = 0;     ///< rounds in which the cells that were left were refined
+  std::size_t bisected_edges = 0;  ///< edges that these rounds bisected
+};
+
+namespace internal {
+
+template <typename GeomTraits, typename Potential>
+class Sweep_repair {
+public:
+  using Mesh = Compact_tetrahedral_mesh_3<GeomTraits>;
+
+  Sweep_repair(Mesh& mesh, const Potential& potential, Sweep_report& report)
+      : m_mesh(mesh), m_potential(potential), m_report(report) {}
+
+  Status run(std::vector<Cell_index>& order) {
+    const std::size_t cells_at_first = m_mesh.number_of_cells();
+    std::vector<double> values;
+    Status status = m_potential(m_mesh, values);
+    if (!status.ok()) return status;
+    order = from_floor({}, values);
+    m_report.left_at_first = m_mesh.number_of_cells() - order.size();
+    if (is_complete(order) || from_ceiling(values, order) || restart(values, order)) return {};
+    while (m_report.refinements < most_refinements && m_mesh.number_of_cells() < most_growth * cells_at_first) {
+      status = refine(order);
+      if (status.ok()) status = m_potential(m_mesh, values);
+      if (!status.ok()) return status;
+      order = from_floor(order, values);
+      if (is_complete(order)) return {};
+    }
+    return {ERROR_SWEEP_STOPPED, std::to_string(m_mesh.number_of_cells() - order.size()) + " tetrahedra are left after " +
+                                     std::to_string(m_report.refinements) + " refinements, among them " +
+                                     std::to_string(first_left(order))};
+  }
+
+private:
+  // Bounds on the work: sixty sweeps cost about as much as the solution for the flux.
+  static constexpr std::size_t most_restarts = 60, most_refinements = 20, most_growth = 4;
+  // By how much a cell that was left behind is preferred from then on; the potential runs from 0 to 1.
+  static constexpr double lesson = 0.002;
+
+  bool is_complete(const std::vector<Cell_index>& order) const { return order.size() == m_mesh.number_of_cells(); }
+
+  std::vector<char> swept_cells(const std::vector<Cell_index>& order) const {
+    std::vector<char> is_swept(m_mesh.number_of_cells(), 0);
+    for (Cell_index c : order) is_swept[c] = 1;
+    return is_swept;
+  }
+
+  Cell_index first_left(const std::vector<Cell_index>& order) const {
+    const std::vector<char> is_swept = swept_cells(order);
+    return Cell_index(std::find(is_swept.begin(), is_swept.end(), 0) - is_swept.begin());
+  }
+
+  std::vector<Cell_index> from_floor(const std::vector<Cell_index>& beginning, const std::vector<double>& values) const {
+    const Edge_numbering edges(m_mesh);
+    const Vertex_stars stars(m_mesh);
+    Sweep<GeomTraits> sweep(m_mesh, edges, stars, FLOOR);
+    for (Cell_index c : beginning) sweep.sweep(c);
+    sweep.run(values);
+    return sweep.order();
+  }
+
+  static std::vector<double> negated(std::vector<double> values) {
+    for (double& v : values) v = -v;
+    return values;
+  }
+
+  bool from_ceiling(const std::vector<double>& values, std::vector<Cell_index>& order) {
+    const Edge_numbering edges(m_mesh);
+    const Vertex_stars stars(m_mesh);
+    Sweep<GeomTraits> sweep(m_mesh, edges, stars, CEILING);
+    sweep.run(negated(values));
+    m_report.from_ceiling = sweep.is_complete();
+    if (m_report.from_ceiling) order.assign(sweep.order().rbegin(), sweep.order().rend());
+    return m_report.from_ceiling;
+  }
+
+  // Sweeps from the floor, then what is left from the ceiling. Cells that neither reaches get an earlier turn, and so do
+  // their swept neighbours, half as much. `order` keeps the longest order from the floor.
+  bool restart(std::vector<double> values, std::vector<Cell_index>& order) {
+    const Edge_numbering edges(m_mesh);
+    const Vertex_stars stars(m_mesh);
+    while (m_report.restarts < most_restarts) {
+      ++m_report.restarts;
+      Sweep<GeomTraits> up(m_mesh, edges, stars, FLOOR), down(m_mesh, edges, stars, CEILING);
+      up.run(values);
+      for (Cell_index c : up.order()) down.exclude(c);
+      down.run(negated(values));
+      if (up.order().size() + down.order().size() == m_mesh.number_of_cells()) {
+        order = up.order();
+        order.insert(order.end(), down.order().rbegin(), down.order().rend());
+        return true;
+      }
+      if (up.order().size() > order.size()) order = up.order();
+      learn(up, values);
+    }
+    return false;
+  }
+
+  void learn(const Sweep<GeomTraits>& sweep, std::vector<double>& values) const {
+    for (Cell_index c : m_mesh.cells()) {
+      if (sweep.is_swept(c)) continue;
+      values[c] -= lesson;
+      for (int i = 0; i < 4; ++i) {
+        const Cell_index neighbor = m_mesh.neighbor(c, i);
+        if (neighbor.is_valid() && sweep.is_swept(neighbor)) values[neighbor] -= lesson / 2;
+      }
+    }
+  }
+
+  // Bisects all edges of the cells that are left, the longest first.
+  Status refine(std::vector<Cell_index>& order) {
+    ++m_report.refinements;
+    Refinable_order<GeomTraits> refinable(m_mesh, order);
+    for (const auto& edge : edges_of_cells_left(order)) {
+      const Status status = refinable.bisect(edge[0], edge[1]);
+      if (!status.ok() && status.code() != ERROR_CANNOT_SPLIT) return status;
+      m_report.bisected_edges += status.ok();
+    }
+    return std::move(refinable).write_to(m_mesh, order);
+  }
+
+  std::vector<Edge_numbering::Ends> edges_of_cells_left(const std::vector<Cell_index>& order) const {
+    const std::vector<char> is_swept = swept_cells(order);
+    const Edge_numbering numbering(m_mesh);
+    std::vector<std::pair<double, Edge_index>> edges;
+    for (Cell_index c : m_mesh.cells())
+      if (!is_swept[c])
+        for (Edge_index e : numbering.edges(c)) edges.emplace_back(-squared_length(numbering.ends(e)), e);
+    std::sort(edges.begin(), edges.end());
+    edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+    std::vector<Edge_numbering::Ends> result;
+    for (const auto& e : edges) result.push_back(numbering.ends(e.second));
+    return result;
+  }
+
+  double squared_length(const Edge_numbering::Ends& ends) const {
+    return (approximate(m_mesh.point(ends[0])) - approximate(m_mesh.point(ends[1]))).squared_length();
+  }
+
+  Mesh& m_mesh;
+  const Potential& m_potential;
+  Sweep_report& m_report;
+};
+
+} // namespace internal
+
+/*!
+\ingroup PkgVolumeMeshParameterizationStructure
+
+sweeps the cells of `mesh` from the floor to the ceiling, whatever it takes within fixed bounds: from the floor, the free
+cell of least potential first; if that stops, from the ceiling; then from both ends with learned priorities; then by
+bisecting the edges of the cells that are left and going on, which keeps what is swept.
+
+\param mesh a mesh with a legal partition, prepared by `prepare_patches()`; refined only if needed
+\param potential a function object `Status potential(const Mesh& mesh, std::vector<double>& values)` that computes one
+value per cell, increasing from the floor to the ceiling; called again after each refinement
+\param[out] structure the result; unchanged on failure
+\param[out] report what it took
+\returns `ERROR_SWEEP_STOPPED` with the number of cells that are left and one of them, or the failure of `potential`
+
+Complexity: \f$ O(n \log n) \f$ without repairs; at most 62 times that, and 20 refinements.
+*/
+template <typename GeomTraits, typename Potential>
+Status sweep_with_repairs(Compact_tetrahedral_mesh_3<GeomTraits>& mesh, const Potential& potential,
+                          Product_structure_3<GeomTraits>& structure, Sweep_report& report) {
+  std::vector<Cell_index> order;
+  report = Sweep_report();
+  const Status status = internal::Sweep_repair<GeomTraits, Potential>(mesh, potential, report).run(order);
+  if (status.ok()) structure = {mesh, std::move(order)};
+  return status;
+}
+
+} // namespace Volume_mesh_parameterization
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_SWEEP_WITH_REPAIRS_H
