@@ -102,6 +102,7 @@ package_of() {
   Surface_mesh.h | Surface_mesh/*) say Surface_mesh ;;
   Polygon_mesh_processing/*) say Polygon_mesh_processing ;;
   IO/polygon_soup_io.h) say Stream_support ;;
+  Unique_hash_map.h) say Hash_map ;;
   spatial_sort.h | Spatial_sort_*.h | hilbert_sort.h) say Spatial_sorting ;;
   property_map.h) say Property_map ;;
   Random.h) say Random_numbers ;;

@@ -26,10 +26,10 @@ Mesh prepared_block(int holes, int per_unit, int layers) {
   return mesh;
 }
 
-VMP::Status harmonic_potential(const Mesh& mesh, std::vector<double>& values) {
+VMP::Status harmonic_guide(const Mesh& mesh, VMP::Sweep_guide_3& guide) {
   VMP::Dual_potential_3<Mesh> dual(mesh);
   const VMP::Status status = dual.solve();
-  if (status.ok()) values = dual.values();
+  if (status.ok()) guide = dual.values();
   return status;
 }
 
@@ -37,10 +37,10 @@ VMP::Status harmonic_potential(const Mesh& mesh, std::vector<double>& values) {
 void test_lemma(int holes, unsigned seed) {
   std::mt19937 random(seed);
   Mesh mesh = prepared_block(holes, 2, 2);
-  std::vector<double> values;
-  VMP::Status status = harmonic_potential(mesh, values);
+  VMP::Sweep_guide_3 guide;
+  VMP::Status status = harmonic_guide(mesh, guide);
   VMP::Product_structure_3<Kernel> structure;
-  if (status.ok()) status = VMP::sweep(mesh, values, structure);
+  if (status.ok()) status = VMP::sweep(mesh, guide, structure);
   assert(status.ok());
   const bool complete = seed % 2 == 0;
   std::vector<VMP::Cell_index> order = structure.order();
@@ -93,15 +93,15 @@ void test_repairs(int holes, unsigned seed, VMP::Sweep_report& report) {
   std::mt19937 random(seed);
   Mesh mesh = bisected_at_random(prepared_block(holes, 2, 3), 2000, random);
   bool first = true;
-  const auto potential = [&](const Mesh& m, std::vector<double>& values) {
-    if (!first) return harmonic_potential(m, values);
+  const auto misleading_guide = [&](const Mesh& m, VMP::Sweep_guide_3& guide) {
+    if (!first) return harmonic_guide(m, guide);
     first = false;
-    const VMP::Status status = harmonic_potential(m, values);
-    for (double& v : values) v = -v;
+    const VMP::Status status = harmonic_guide(m, guide);
+    for (double& v : guide.potential) v = -v;
     return status;
   };
   VMP::Product_structure_3<Kernel> structure;
-  VMP::Status status = VMP::sweep_with_repairs(mesh, potential, structure, report);
+  VMP::Status status = VMP::sweep_with_repairs(mesh, misleading_guide, structure, report);
   std::cout << holes << " holes, " << mesh.number_of_cells() << " cells: left at first " << report.left_at_first
             << ", from ceiling " << report.from_ceiling << ", restarts " << report.restarts << ", refinements "
             << report.refinements << ", " << status.message() << std::endl;
@@ -110,11 +110,11 @@ void test_repairs(int holes, unsigned seed, VMP::Sweep_report& report) {
   assert(status.ok());
 }
 
-void test_potential_may_fail() {
+void test_guide_may_fail() {
   Mesh mesh = prepared_block(0, 1, 1);
   VMP::Product_structure_3<Kernel> structure;
   VMP::Sweep_report report;
-  const auto failing = [](const Mesh&, std::vector<double>&) { return VMP::Status(VMP::ERROR_CANNOT_SOLVE); };
+  const auto failing = [](const Mesh&, VMP::Sweep_guide_3&) { return VMP::Status(VMP::ERROR_CANNOT_SOLVE); };
   assert(VMP::sweep_with_repairs(mesh, failing, structure, report).code() == VMP::ERROR_CANNOT_SOLVE);
   assert(structure.order().empty());
 }
@@ -129,6 +129,6 @@ int main() {
     refinements += report.refinements;
   }
   assert(restarts > 0 && refinements > 0);
-  test_potential_may_fail();
+  test_guide_may_fail();
   return EXIT_SUCCESS;
 }

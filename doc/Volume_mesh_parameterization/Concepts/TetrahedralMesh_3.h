@@ -9,6 +9,7 @@ into a `CGAL::Volume_mesh_parameterization::Compact_tetrahedral_mesh_3`, so that
 \cgalHasModelsBegin
 \cgalHasModels{CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3}
 \cgalHasModels{CGAL::Volume_mesh_parameterization::Compact_tetrahedral_mesh_3}
+\cgalHasModels{CGAL::Volume_mesh_parameterization::Triangulation_cells_3}
 \cgalHasModelsEnd
 */
 class TetrahedralMesh_3
@@ -29,7 +30,7 @@ The four vertices of a cell: `operator[]` takes 0, 1, 2, 3 and returns a number 
 typedef unspecified_type Cell_vertices;
 
 /*!
-A range whose elements are convertible to `CGAL::Volume_mesh_parameterization::Labelled_facet`.
+A range of `CGAL::Volume_mesh_parameterization::Labelled_facet`.
 */
 typedef unspecified_type Labelled_facets;
 

@@ -88,9 +88,8 @@ public:
     stage("check the mesh", [&] { return read(mesh); });
     stage("validate the partition", [&] { return validate(); });
     stage("prepare the patches", [&] { return prepare_patches(m_mesh, m_preparation); });
-    stage("sweep along the dual potential", [&] { return sweep_cells(); });
+    stage("solve for potential and flux, and sweep", [&] { return sweep_cells(); });
     stage("solve for the harmonic function", [&] { return solve(m_harmonic_function); });
-    stage("solve for the flux", [&] { return solve(m_flux_field); });
     stage("choose the curves", [&] { return choose_curves(type, level); });
     stage("map the floor", [&] { return map_floor(); });
     stage("map the vertices", [&] { return m_product_map->vertex_images(m_vertex_images); });
@@ -148,13 +147,16 @@ private:
 
   // The order is checked by code that shares nothing with the sweep.
   Status sweep_cells() {
-    const auto potential = [this](const Mesh&, std::vector<double>& values) {
-      const Status status = solve(m_dual_potential);
-      if (status.ok()) values = m_dual_potential->values();
+    const auto guide = [this](const Mesh& mesh, Sweep_guide_3& result) {
+      Status status = solve(m_dual_potential);
+      if (status.ok()) status = solve(m_flux_field);
+      if (!status.ok()) return status;
+      result = Sweep_guide_3(m_dual_potential->values());
+      for (Cell_index c : mesh.cells()) result.signs.push_back(m_flux_field->signs(c));
       return status;
     };
     Product_structure structure;
-    Status status = sweep_with_repairs(m_mesh, potential, structure, m_sweep_report);
+    Status status = sweep_with_repairs(m_mesh, guide, structure, m_sweep_report);
     if (status.ok()) status = verify_product(m_mesh, structure.order());
     if (status.ok()) m_structure.emplace(std::move(structure));
     return status;

@@ -76,23 +76,22 @@ private:
 /*!
 \ingroup PkgVolumeMeshParameterizationStructure
 
-sweeps the cells of `mesh` from the floor, the free cell of least potential first. See `sweep_with_repairs()` for what
-to do if that stops.
+sweeps the cells of `mesh` from the floor. See `sweep_with_repairs()` for what to do if that stops.
 
 \param mesh a mesh with a legal partition, prepared by `prepare_patches()`
-\param potential one value per cell, increasing from the floor to the ceiling: see `Dual_potential_3`
+\param guide the order to prefer: see `Dual_potential_3` for its potential and `Flux_field_3` for its signs
 \param[out] structure the result; unchanged on failure
 \returns `ERROR_SWEEP_STOPPED` with the number of cells that are left and one of them
 
 Complexity: \f$ O(n \log n) \f$.
 */
 template <typename GeomTraits>
-Status sweep(const Compact_tetrahedral_mesh_3<GeomTraits>& mesh, const std::vector<double>& potential,
+Status sweep(const Compact_tetrahedral_mesh_3<GeomTraits>& mesh, const Sweep_guide_3& guide,
              Product_structure_3<GeomTraits>& structure) {
   const internal::Edge_numbering edges(mesh);
   const internal::Vertex_stars stars(mesh);
   internal::Sweep<GeomTraits> front(mesh, edges, stars, FLOOR);
-  front.run(potential);
+  front.run(guide);
   if (front.is_complete()) {
     structure = {mesh, front.order()};
     return {};

@@ -58,6 +58,16 @@ struct Tetrahedron_soup_3 {
   const std::vector<Labelled_facet>& labelled_facets() const { return facets; }
 };
 
+namespace internal {
+
+// The vertices of a cell of any model of TetrahedralMesh_3.
+template <typename CellVertices>
+std::array<std::size_t, 4> vertex_numbers(const CellVertices& v) {
+  return {std::size_t(v[0]), std::size_t(v[1]), std::size_t(v[2]), std::size_t(v[3])};
+}
+
+} // namespace internal
+
 } // namespace Volume_mesh_parameterization
 } // namespace CGAL
 

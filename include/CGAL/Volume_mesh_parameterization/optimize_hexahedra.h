@@ -55,7 +55,9 @@ public:
   }
 
   void run(int most_sweeps) {
-    T = env("T", .5);
+    T = env("T", 1); L = env("L", .2);
+    for (int i = 0; i < env("S", 0); ++i) { smooth(); if (env("V", 0)) std::printf("smooth %d least %g\n", i, least()); }
+    rest();
     const double p1 = env("P1", 1), p2 = env("P2", 4), g = env("G", 2), tol = env("TOL", 1e-3);
     m_epsilon = (std::max)(1e-3, -2 * least());
     int k = 0;
@@ -81,7 +83,7 @@ public:
   const std::vector<Vector>& points() const { return m_points; }
 
 private:
-  double T;
+  double T, L;
   std::array<double, 3> axis_lengths(const Hexahedron& h) const {
     std::array<double, 3> l;
     for (int a = 0; a < 3; ++a) { l[a] = 0; for (auto& e : Cube::axis_edges[a]) l[a] += (m_points[h[e[1]]] - m_points[h[e[0]]]).norm() / 4; }
@@ -90,6 +92,36 @@ private:
   static int axis(int c, int k) { int d = c ^ Cube::neighbors[c][k]; (void)d; int n = Cube::neighbors[c][k]; 
     if ((c < 4) != (n < 4)) return 2; int x = (c % 4) + (n % 4); return x == 1 || x == 5 ? 0 : 1; }
 
+  void rest() {
+    m_rest.clear(); for (auto& h : m_hexahedra) m_rest.push_back(axis_lengths(h));
+    const double mode = env("R", 1);
+    if (mode == 0) return;
+    // neighbours through parallel edges
+    std::vector<std::pair<std::array<std::size_t, 2>, std::size_t>> edges;
+    for (std::size_t h = 0; h < m_hexahedra.size(); ++h) for (int a = 0; a < 3; ++a) for (auto& e : Cube::axis_edges[a]) {
+      auto x = m_hexahedra[h][e[0]], y = m_hexahedra[h][e[1]]; edges.push_back({{(std::min)(x, y), (std::max)(x, y)}, 3 * h + a}); }
+    std::sort(edges.begin(), edges.end());
+    for (int it = 0; it < mode; ++it) {
+      std::vector<double> sum(3 * m_hexahedra.size()), n(sum.size());
+      for (std::size_t k = 0, end; k < edges.size(); k = end) {
+        double s = 0, c = 0;
+        for (end = k; end < edges.size() && edges[end].first == edges[k].first; ++end) { s += m_rest[edges[end].second / 3][edges[end].second % 3]; c += 1; }
+        for (std::size_t j = k; j < end; ++j) { sum[edges[j].second] += s; n[edges[j].second] += c; }
+      }
+      for (std::size_t i = 0; i < sum.size(); ++i) m_rest[i / 3][i % 3] = sum[i] / n[i];
+    }
+  }
+  void smooth() {
+    for (std::size_t v = 0; v < m_points.size(); ++v) {
+      Vector sum = Vector::Zero(); double n = 0;
+      for (std::size_t h : m_stars[v]) {
+        const auto& x = m_hexahedra[h];
+        const int i = int(std::find(x.begin(), x.end(), v) - x.begin());
+        for (int k : Cube::neighbors[i]) sum += m_points[x[k]], n += 1;
+      }
+      m_points[v] = Carriers_3::project(m_carriers[v], sum / n).point;
+    }
+  }
   double smooth_sign(double d) const { return (d + std::sqrt(d * d + m_epsilon * m_epsilon)) / 2; }
 
   struct Corner { Eigen::Matrix3d e; std::array<double, 3> a; };
@@ -107,7 +139,8 @@ private:
     const auto& x = m_hexahedra[h];
     Eigen::Matrix3d e;
     for (int k = 0; k < 3; ++k) e.col(k) = (m_points[x[Cube::neighbors[c][k]]] - m_points[x[c]]) / a[k];
-    return std::pow(e.squaredNorm() / 3 / std::pow(smooth_sign(e.determinant()), 2. / 3), m_power);
+    const double d = e.determinant(), X = smooth_sign(d);
+    return std::pow((1 - L) * e.squaredNorm() / 3 / std::cbrt(X * X) + L * (d * d + 1) / 2 / X, m_power);
   }
   double total() const {
     double s = 0;
@@ -163,10 +196,15 @@ private:
           dd += w[m] * J.col((m + 1) % 3).cross(J.col((m + 2) % 3));
           dq += 2. / 3 * w[m] * J.col(m); hq += 2. / 3 * w[m] * w[m];
         }
-        const double F = std::pow(q / std::pow(X, 2. / 3), m_power);
-        const Vector dg = m_power * (dq / q - 2. / 3 * X1 / X * dd);
-        g += F * dg;
-        H += F * (dg * dg.transpose() + m_power * (hq / q * Eigen::Matrix3d::Identity() - dq * dq.transpose() / (q * q) - 2. / 3 * (X2 / X - X1 * X1 / (X * X)) * dd * dd.transpose()));
+        const double X23 = 1 / std::cbrt(X * X);
+        const double f = (1 - L) * q * X23 + L * (d * d + 1) / 2 / X;
+        const double fq = (1 - L) * X23, fqd = -2. / 3 * (1 - L) * X23 * X1 / X;
+        const double fd = q * fqd + L * (d / X - (d * d + 1) * X1 / (2 * X * X));
+        const double fdd = (1 - L) * q * X23 * (10. / 9 * X1 * X1 / (X * X) - 2. / 3 * X2 / X) + L * (1 / X - 2 * d * X1 / (X * X) + (d * d + 1) * (X1 * X1 / (X * X * X) - X2 / (2 * X * X)));
+        const double F = std::pow(f, m_power), F1 = m_power * F / f, F2 = (m_power - 1) * F1 / f;
+        const Vector df = fq * dq + fd * dd;
+        g += F1 * df;
+        H += F1 * (fq * hq * Eigen::Matrix3d::Identity() + fqd * (dq * dd.transpose() + dd * dq.transpose()) + fdd * dd * dd.transpose()) + F2 * df * df.transpose();
         old += F;
       }
     }

@@ -32,12 +32,12 @@ maps a solid with a labelled boundary one to one onto a prism.
 \tparam TetrahedralMesh a model of `TetrahedralMesh_3`
 \tparam GeomTraits a model of `VolumeParameterizationTraits_3`
 \tparam Solver a model of `SparseLinearAlgebraWithFactorTraits_d`
-\tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+\tparam NamedParameters a sequence of named parameters
 
 \param mesh a handlebody whose boundary facets are labelled: 1 floor, 2 ceiling, 3 + k wall k. `partition_solid()` finds
 labels for one that has none
 \param result receives what every stage computes; may be used once
-\param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
+\param np an optional sequence of named parameters among the ones listed below
 
 \cgalNamedParamsBegin
   \cgalParamNBegin{visitor}
@@ -95,11 +95,11 @@ Needs TetGen: see `tetrahedralize()`.
 \tparam Point the point type of `GeomTraits`
 \tparam GeomTraits a model of `VolumeParameterizationTraits_3`
 \tparam Solver a model of `SparseLinearAlgebraWithFactorTraits_d`
-\tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+\tparam NamedParameters a sequence of named parameters
 
 \param surface the boundary of a handlebody; its labels are not used
 \param result receives what every stage computes; may be used once
-\param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among those of `parameterize()` and these:
+\param np an optional sequence of named parameters among those of `parameterize()` and these:
 
 \cgalNamedParamsBegin
   \cgalParamNBegin{sweep_direction}

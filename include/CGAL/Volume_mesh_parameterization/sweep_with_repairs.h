@@ -38,27 +38,27 @@ struct Sweep_report {
 
 namespace internal {
 
-template <typename GeomTraits, typename Potential>
+template <typename GeomTraits, typename Guide>
 class Sweep_repair {
 public:
   using Mesh = Compact_tetrahedral_mesh_3<GeomTraits>;
 
-  Sweep_repair(Mesh& mesh, const Potential& potential, Sweep_report& report)
-      : m_mesh(mesh), m_potential(potential), m_report(report) {}
+  Sweep_repair(Mesh& mesh, const Guide& guide, Sweep_report& report)
+      : m_mesh(mesh), m_make_guide(guide), m_report(report) {}
 
   Status run(std::vector<Cell_index>& order) {
     const std::size_t cells_at_first = m_mesh.number_of_cells();
-    std::vector<double> values;
-    Status status = m_potential(m_mesh, values);
+    Sweep_guide_3 guide;
+    Status status = m_make_guide(m_mesh, guide);
     if (!status.ok()) return status;
-    order = from_floor({}, values);
+    order = from_floor({}, guide);
     m_report.left_at_first = m_mesh.number_of_cells() - order.size();
-    if (is_complete(order) || from_ceiling(values, order) || restart(values, order)) return {};
+    if (is_complete(order) || from_ceiling(guide, order) || restart(guide.potential, order)) return {};
     while (m_report.refinements < most_refinements && m_mesh.number_of_cells() < most_growth * cells_at_first) {
       status = refine(order);
-      if (status.ok()) status = m_potential(m_mesh, values);
+      if (status.ok()) status = m_make_guide(m_mesh, guide);
       if (!status.ok()) return status;
-      order = from_floor(order, values);
+      order = from_floor(order, guide);
       if (is_complete(order)) return {};
     }
     return {ERROR_SWEEP_STOPPED, std::to_string(m_mesh.number_of_cells() - order.size()) + " tetrahedra are left after " +
@@ -85,59 +85,55 @@ private:
     return Cell_index(std::find(is_swept.begin(), is_swept.end(), 0) - is_swept.begin());
   }
 
-  std::vector<Cell_index> from_floor(const std::vector<Cell_index>& beginning, const std::vector<double>& values) const {
+  std::vector<Cell_index> from_floor(const std::vector<Cell_index>& beginning, const Sweep_guide_3& guide) const {
     const Edge_numbering edges(m_mesh);
     const Vertex_stars stars(m_mesh);
     Sweep<GeomTraits> sweep(m_mesh, edges, stars, FLOOR);
     for (Cell_index c : beginning) sweep.sweep(c);
-    sweep.run(values);
+    sweep.run(guide);
     return sweep.order();
   }
 
-  static std::vector<double> negated(std::vector<double> values) {
-    for (double& v : values) v = -v;
-    return values;
-  }
-
-  bool from_ceiling(const std::vector<double>& values, std::vector<Cell_index>& order) {
+  bool from_ceiling(const Sweep_guide_3& guide, std::vector<Cell_index>& order) {
     const Edge_numbering edges(m_mesh);
     const Vertex_stars stars(m_mesh);
     Sweep<GeomTraits> sweep(m_mesh, edges, stars, CEILING);
-    sweep.run(negated(values));
+    sweep.run(guide);
     m_report.from_ceiling = sweep.is_complete();
     if (m_report.from_ceiling) order.assign(sweep.order().rbegin(), sweep.order().rend());
     return m_report.from_ceiling;
   }
 
-  // Sweeps from the floor, then what is left from the ceiling. Cells that neither reaches get an earlier turn, and so do
-  // their swept neighbours, half as much. `order` keeps the longest order from the floor.
-  bool restart(std::vector<double> values, std::vector<Cell_index>& order) {
+  // Sweeps from the floor, then what is left from the ceiling, along the potential alone: the first time as it is, then
+  // with what was learned. Cells that were left get an earlier turn, and so do their swept neighbours, half as much.
+  // `order` keeps the longest order from the floor.
+  bool restart(Sweep_guide_3 guide, std::vector<Cell_index>& order) {
     const Edge_numbering edges(m_mesh);
     const Vertex_stars stars(m_mesh);
     while (m_report.restarts < most_restarts) {
       ++m_report.restarts;
       Sweep<GeomTraits> up(m_mesh, edges, stars, FLOOR), down(m_mesh, edges, stars, CEILING);
-      up.run(values);
+      up.run(guide);
       for (Cell_index c : up.order()) down.exclude(c);
-      down.run(negated(values));
+      down.run(guide);
       if (up.order().size() + down.order().size() == m_mesh.number_of_cells()) {
         order = up.order();
         order.insert(order.end(), down.order().rbegin(), down.order().rend());
         return true;
       }
       if (up.order().size() > order.size()) order = up.order();
-      learn(up, values);
+      learn(up, guide.potential);
     }
     return false;
   }
 
-  void learn(const Sweep<GeomTraits>& sweep, std::vector<double>& values) const {
+  void learn(const Sweep<GeomTraits>& sweep, std::vector<double>& potential) const {
     for (Cell_index c : m_mesh.cells()) {
       if (sweep.is_swept(c)) continue;
-      values[c] -= lesson;
+      potential[c] -= lesson;
       for (int i = 0; i < 4; ++i) {
         const Cell_index neighbor = m_mesh.neighbor(c, i);
-        if (neighbor.is_valid() && sweep.is_swept(neighbor)) values[neighbor] -= lesson / 2;
+        if (neighbor.is_valid() && sweep.is_swept(neighbor)) potential[neighbor] -= lesson / 2;
       }
     }
   }
@@ -173,7 +169,7 @@ private:
   }
 
   Mesh& m_mesh;
-  const Potential& m_potential;
+  const Guide& m_make_guide;
   Sweep_report& m_report;
 };
 
@@ -182,25 +178,25 @@ private:
 /*!
 \ingroup PkgVolumeMeshParameterizationStructure
 
-sweeps the cells of `mesh` from the floor to the ceiling, whatever it takes within fixed bounds: from the floor, the free
-cell of least potential first; if that stops, from the ceiling; then from both ends with learned priorities; then by
-bisecting the edges of the cells that are left and going on, which keeps what is swept.
+sweeps the cells of `mesh` from the floor to the ceiling, whatever it takes within fixed bounds: from the floor; if that
+stops, from the ceiling; then from both ends along the potential alone, with learned priorities; then by bisecting the
+edges of the cells that are left and going on, which keeps what is swept.
 
 \param mesh a mesh with a legal partition, prepared by `prepare_patches()`; refined only if needed
-\param potential a function object `Status potential(const Mesh& mesh, std::vector<double>& values)` that computes one
-value per cell, increasing from the floor to the ceiling; called again after each refinement
+\param guide a function object `Status guide(const Mesh& mesh, Sweep_guide_3& result)`; it is called again after each
+refinement
 \param[out] structure the result; unchanged on failure
 \param[out] report what it took
-\returns `ERROR_SWEEP_STOPPED` with the number of cells that are left and one of them, or the failure of `potential`
+\returns `ERROR_SWEEP_STOPPED` with the number of cells that are left and one of them, or the failure of `guide`
 
 Complexity: \f$ O(n \log n) \f$ without repairs; at most 62 times that, and 20 refinements.
 */
-template <typename GeomTraits, typename Potential>
-Status sweep_with_repairs(Compact_tetrahedral_mesh_3<GeomTraits>& mesh, const Potential& potential,
+template <typename GeomTraits, typename Guide>
+Status sweep_with_repairs(Compact_tetrahedral_mesh_3<GeomTraits>& mesh, const Guide& guide,
                           Product_structure_3<GeomTraits>& structure, Sweep_report& report) {
   std::vector<Cell_index> order;
   report = Sweep_report();
-  const Status status = internal::Sweep_repair<GeomTraits, Potential>(mesh, potential, report).run(order);
+  const Status status = internal::Sweep_repair<GeomTraits, Guide>(mesh, guide, report).run(order);
   if (status.ok()) structure = {mesh, std::move(order)};
   return status;
 }

@@ -128,7 +128,7 @@ Status write_MEDIT(std::ostream& os, const TetrahedralMesh& mesh) {
     internal::write_MEDIT_points(out, mesh.number_of_vertices(), point_of);
     out << "\nTetrahedra\n" << mesh.number_of_cells() << '\n';
     for (std::size_t c = 0; c < mesh.number_of_cells(); ++c)
-      internal::write_MEDIT_element(out, mesh.cell(c), 0);
+      internal::write_MEDIT_element(out, internal::vertex_numbers(mesh.cell(c)), 0);
     internal::write_MEDIT_facets(out, "Triangles", mesh.labelled_facets());
   }
   return internal::check_stream(os);

@@ -55,7 +55,7 @@ namespace internal {
 template <typename TetrahedralMesh, typename Visit>
 void for_each_VTU_cell(const TetrahedralMesh& mesh, const IO::VTU_content& content, const Visit& visit) {
   if (content.with_tetrahedra)
-    for (std::size_t c = 0; c < mesh.number_of_cells(); ++c) visit(VTK_TETRAHEDRON, mesh.cell(c), 0);
+    for (std::size_t c = 0; c < mesh.number_of_cells(); ++c) visit(VTK_TETRAHEDRON, vertex_numbers(mesh.cell(c)), 0);
   if (content.with_facets)
     for (const Labelled_facet& facet : mesh.labelled_facets())
       visit(VTK_TRIANGLE, facet.vertices, facet.label);

@@ -11,13 +11,16 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/Compact_tetrahedral_mesh_3.h>
+#include <CGAL/Volume_mesh_parameterization/Sweep_guide_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Edge_numbering.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Vertex_stars.h>
 
 #include <algorithm>
+#include <array>
+#include <cstdint>
 #include <functional>
 #include <queue>
-#include <utility>
+#include <tuple>
 #include <vector>
 
 namespace CGAL {
@@ -43,6 +46,7 @@ public:
       : m_mesh(mesh),
         m_edges(edges),
         m_stars(stars),
+        m_upwards(base == FLOOR ? 1 : -1),
         m_swept(mesh.number_of_cells(), 0),
         m_facets(mesh.number_of_facets(), 0),
         m_edge_flags(edges.number_of_edges(), 0),
@@ -59,22 +63,19 @@ public:
   // Leaves out a cell that another sweep has taken.
   void exclude(Cell_index c) { m_swept[c] = 1; }
 
-  // Sweeps whatever can be swept, the cell of lowest priority value first.
-  void run(const std::vector<double>& priority) {
-    using Entry = std::pair<double, Cell_index>;
+  // Sweeps whatever can be swept: first cells that are entered and left as they wish, and among those the one of least
+  // potential. A cell is queued again whenever something around it changes; what is out of date is skipped.
+  void run(const Sweep_guide_3& guide) {
+    using Entry = std::tuple<bool, double, Cell_index>;
     std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue;
-    std::vector<char> queued(m_mesh.number_of_cells(), 0);
     const auto push_if_free = [&](Cell_index c) {
-      if (m_swept[c] || queued[c] || !is_free(c)) return;
-      queue.push({priority[c], c});
-      queued[c] = 1;
+      if (!m_swept[c] && is_free(c)) queue.push({!is_entered_as_wished(c, guide), m_upwards * guide.potential[c], c});
     };
     for (Cell_index c : m_mesh.cells()) push_if_free(c);
     while (!queue.empty()) {
-      const Cell_index c = queue.top().second;
+      const auto [against_wish, value, c] = queue.top();
       queue.pop();
-      queued[c] = 0;
-      if (m_swept[c] || !is_free(c)) continue;
+      if (m_swept[c] || against_wish == is_entered_as_wished(c, guide) || !is_free(c)) continue;
       sweep(c);
       for (Cell_index changed : m_changed) push_if_free(changed);
       m_changed.clear();
@@ -120,6 +121,16 @@ public:
 
 private:
   enum : char { REACHED = 1, ON_WALL = 2 };
+
+  bool is_entered_as_wished(Cell_index c, const Sweep_guide_3& guide) const {
+    if (guide.signs.empty()) return true;
+    for (int i = 0; i < 4; ++i) {
+      const Facet_index f = m_mesh.facet(c, i);
+      const int sign = m_mesh.label(f) >= FIRST_WALL ? 0 : m_facets[f] ? m_upwards : -m_upwards;
+      if (sign != guide.signs[c][i]) return false;
+    }
+    return true;
+  }
 
   // the vertices and edges of some facets of a cell, as bits
   struct Closure {
@@ -168,6 +179,7 @@ private:
   const Mesh& m_mesh;
   const Edge_numbering& m_edges;
   const Vertex_stars& m_stars;
+  int m_upwards;
   std::vector<char> m_swept, m_facets, m_edge_flags, m_vertex_flags;
   std::vector<Cell_index> m_order, m_changed;
 };

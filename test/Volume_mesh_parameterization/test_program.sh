@@ -1,0 +1,217 @@
+#!/usr/bin/env bash
+# Tests the program handlebody as its users meet it: on bad input it says why and leaves nothing, on good input
+# it writes what it promises.
+# usage: test_program.sh PROGRAM
+set -euo pipefail
+export LC_ALL=C
+
+program=$1
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+cd "$work"
+
+fail() {
+  printf 'FAILED: %s\n' "$*" >&2
+  [ ! -s errors ] || sed 's/^/  stderr: /' errors >&2
+  exit 1
+}
+
+# run CODE ARGUMENT...: runs the program, which must exit with CODE; its output goes to the files output and errors.
+run() {
+  local expected=$1 code=0
+  shift
+  "$program" "$@" >output 2>errors || code=$?
+  [ "$code" -eq "$expected" ] || fail "handlebody $*: exit code $code instead of $expected"
+}
+
+# says_why FILE REASON: stderr is one line that names the file and the reason.
+says_why() {
+  [ "$(wc -l <errors)" -eq 1 ] || fail "$1: not one line on stderr"
+  grep -qF "$1" errors || fail "$1: stderr does not name the file"
+  grep -qi -- "$2" errors || fail "$1: stderr does not say '$2'"
+}
+
+# refused FILE REASON: both commands refuse the file, and nothing but the report is left.
+refused() {
+  run 1 check "$1"
+  says_why "$1" "$2"
+  rm -rf result
+  run 1 parameterize "$1" -o result --hexes 100
+  says_why "$1" "$2"
+  [ "$(ls -A result)" = report.json ] || fail "$1: left $(ls -A result)"
+  grep -qi -- "$2" result/report.json || fail "$1: the report does not say '$2'"
+  grep -q '"exit_code": 1' result/report.json || fail "$1: the report has no exit code"
+}
+
+# cube X ...: the vertices of a unit cube at X, or its triangles with numbers from X on; as a file a whole cube.
+cube_vertices() { awk -v x="$1" 'BEGIN { for (i = 0; i < 8; ++i) print x + i % 2, int(i / 2) % 2, int(i / 4) }'; }
+cube_triangles() {
+  awk -v n="$1" '{ print 3, n + $1, n + $2, n + $3 }' <<END
+0 2 3
+0 3 1
+4 5 7
+4 7 6
+0 1 5
+0 5 4
+2 6 7
+2 7 3
+0 4 6
+0 6 2
+1 3 7
+1 7 5
+END
+}
+cube() { printf 'OFF\n8 12 0\n' && cube_vertices 0 && cube_triangles 0; }
+
+# block M LAYERS: [0, 3] x [0, 3] x [0, 1] without [1, 2] x [1, 2], M cubes of six tetrahedra per unit, labelled.
+block() {
+  awk -v m="$1" -v layers="$2" '
+    function solid(x, y) { return x >= 0 && x < 3 * m && y >= 0 && y < 3 * m && !(hole(x) && hole(y)) }
+    function hole(x) { return x >= m && x < 2 * m }
+    function vertex(x, y, z) {
+      if (!((x, y, z) in number)) {
+        number[x, y, z] = ++nv
+        points = points x / m " " y / m " " z / layers " 0\n"
+      }
+      return number[x, y, z]
+    }
+    function triangle(a, b, c, label) { triangles = triangles a " " b " " c " " label "\n"; ++nt }
+    function quadrilateral(a, b, c, d, label) { triangle(a, b, c, label); triangle(a, c, d, label) }
+    # along the axes a, b and the third one: three steps from one end of the diagonal of the cube to the other
+    function tetrahedron(x, y, z, a, b, even,    p, q, r, s) {
+      p = vertex(x, y, z)
+      q = vertex(x + (a == 0), y + (a == 1), z + (a == 2))
+      r = vertex(x + (a == 0 || b == 0), y + (a == 1 || b == 1), z + (a == 2 || b == 2))
+      s = vertex(x + 1, y + 1, z + 1)
+      tetrahedra = tetrahedra p " " (even ? q " " r : r " " q) " " s " 0\n"
+      ++nc
+    }
+    BEGIN {
+      for (x = 0; x < 3 * m; ++x) for (y = 0; y < 3 * m; ++y) if (solid(x, y)) {
+        for (z = 0; z < layers; ++z)
+          for (a = 0; a < 3; ++a) for (b = 0; b < 3; ++b) if (a != b) tetrahedron(x, y, z, a, b, (b - a + 3) % 3 == 1)
+        for (z = 0; z <= layers; z += layers)
+          quadrilateral(vertex(x, y, z), vertex(x + 1, y, z), vertex(x + 1, y + 1, z), vertex(x, y + 1, z), z ? 2 : 1)
+      }
+      for (x = 0; x <= 3 * m; ++x) for (y = 0; y <= 3 * m; ++y) for (z = 0; z < layers; ++z) {
+        if (solid(x - 1, y) != solid(x, y))
+          quadrilateral(vertex(x, y, z), vertex(x, y + 1, z), vertex(x, y + 1, z + 1), vertex(x, y, z + 1),
+                        x % (3 * m) ? 4 : 3)
+        if (solid(x, y - 1) != solid(x, y))
+          quadrilateral(vertex(x, y, z), vertex(x + 1, y, z), vertex(x + 1, y, z + 1), vertex(x, y, z + 1),
+                        y % (3 * m) ? 4 : 3)
+      }
+      printf "MeshVersionFormatted 2\nDimension 3\nVertices\n%d\n%s", nv, points
+      printf "Triangles\n%d\n%sTetrahedra\n%d\n%sEnd\n", nt, triangles, nc, tetrahedra
+    }'
+}
+
+test_wrong_usage() {
+  run 2
+  run 2 check
+  run 2 parameterize block.mesh
+  run 2 check --no-such-option block.mesh
+  run 2 no-such-command
+  run 2 parameterize block.mesh -o result --field steepest
+  run 2 parameterize block.mesh -o result --partition auto --direction 1,2
+  run 2 parameterize block.mesh -o result --partition auto --direction 0,0,0
+  run 2 parameterize block.mesh -o result --partition auto --direction nan,0,0
+  [ ! -e result ] || fail "wrong usage leaves a folder"
+  run 0 --help
+  grep -q parameterize output || fail "--help does not name the commands"
+}
+
+test_bad_surfaces() {
+  : >empty.off
+  refused empty.off 'truncated or malformed'
+  cube | head -n 9 >truncated.off
+  refused truncated.off 'truncated or malformed'
+  cube | sed '4s/^[^ ]*/nan/' >nan.off
+  refused nan.off 'malformed\|not a number'
+  cube | sed '2s/12/11/; $d' >open.off
+  refused open.off 'border'
+  cube | sed '10s/.*/-1 -1 -1/' >crossing.off
+  refused crossing.off 'intersect'
+  { printf 'OFF\n16 24 0\n' && cube_vertices 0 && cube_vertices 5 && cube_triangles 0 && cube_triangles 8; } >two.off
+  refused two.off 'connected\|components'
+  # the second cube meets the first one in the edge from 1 to 5, its own from 2 to 6
+  { printf 'OFF\n14 24 0\n' && cube_vertices 0 &&
+    printf '%s\n' '1 -1 0' '2 -1 0' '2 0 0' '1 -1 1' '2 -1 1' '2 0 1' && cube_triangles 0 &&
+    cube_triangles 0 | awk '{ split("8 9 1 10 11 12 5 13", v); print 3, v[$2 + 1], v[$3 + 1], v[$4 + 1] }'; } >edge.off
+  refused edge.off 'manifold'
+  head -c 5000 /dev/urandom >noise.off
+  refused noise.off 'malformed'
+  refused missing.off 'cannot be read'
+  mkdir folder.off
+  refused folder.off 'cannot be read\|malformed'
+}
+
+test_bad_tetrahedra() {
+  : >empty.mesh
+  refused empty.mesh 'truncated or malformed'
+  head -n 200 block.mesh >truncated.mesh
+  refused truncated.mesh 'truncated or malformed'
+  sed '5s/^[^ ]*/nan/' block.mesh >nan.mesh
+  refused nan.mesh 'malformed\|not a number'
+  awk 'tets && NF == 5 { print $2, $1, $3, $4, $5; tets = 0; next } /Tetrahedra/ { tets = 1 } { print }' block.mesh >inverted.mesh
+  refused inverted.mesh 'inverted'
+  printf '%s\n' 'MeshVersionFormatted 2' 'Dimension 3' Vertices 4 '0 0 0 0' '1 0 0 0' '0 1 0 0' '1 1 0 0' \
+    Tetrahedra 1 '1 2 3 4 0' End >flat.mesh
+  refused flat.mesh 'flat'
+  awk '/Tetrahedra/ { tets = 1 } !tets && NF == 4 && $4 == 2 { $4 = 1 } { print }' block.mesh >labels.mesh
+  refused labels.mesh 'labels'
+  cp block.mesh block.xyz
+  refused block.xyz 'does not end in'
+}
+
+test_unwritable_folder() {
+  run 1 parameterize block.mesh -o block.mesh/result
+  says_why block.mesh 'cannot write'
+}
+
+# A key of the report, at whatever depth.
+has_key() { grep -q "\"$1\":" "$2/report.json" || fail "the report has no $1"; }
+
+test_good_block() {
+  local name
+  run 0 check block.mesh
+  grep -q 'genus 1' output || fail "check does not say genus 1"
+  run 0 parameterize block.mesh -o result --hexes 200
+  [ ! -s errors ] || fail "a good run is not silent"
+  for name in object.mesh order.txt hex.mesh result.vtu curves.vtp report.json; do
+    [ -s "result/$name" ] || fail "$name is missing"
+  done
+  if grep -q '"piecewise_linear": true' result/report.json; then
+    [ -s result/parameter.mesh ] || fail "parameter.mesh is missing though its map is certified"
+  else
+    [ ! -e result/parameter.mesh ] || fail "parameter.mesh is written though its map is not certified"
+  fi
+  for name in counts certificates critical_points angles distortion residuals stages seconds bytes versions; do
+    has_key "$name" result
+  done
+  run 0 verify result
+}
+
+test_broken_results() {
+  cp result/order.txt order
+  awk 'NR == 1 { first = $0; next } NR == 2 { print; print first; next } { print }' order >swapped
+  { tail -n 1 order && sed '1d;$d' order && head -n 1 order; } >result/order.txt
+  run 3 verify result
+  grep -q order.txt errors || fail "verify does not name order.txt"
+  { cat order && echo word; } >result/order.txt
+  run 1 verify result
+  rm result/order.txt
+  run 1 verify result
+  cp order result/order.txt
+  run 0 verify result
+  run 1 verify no-such-folder
+}
+
+block 4 3 >block.mesh
+test_wrong_usage
+test_bad_surfaces
+test_bad_tetrahedra
+test_unwritable_folder
+test_good_block
+test_broken_results
+echo done
