@@ -11,11 +11,15 @@ using VMP::Status;
 
 bool Result_folder::has(const char* name) const { return std::filesystem::exists(file(name)); }
 
-Status Result_folder::create() const {
+Status Result_folder::create(const std::string& input) const {
+  constexpr const char* names[] = {object, order, parameter, hexahedra, result, curves, report};
   std::error_code error;
+  for (const char* name : names)
+    if (std::filesystem::equivalent(file(name), input, error))
+      return {VMP::ERROR_CANNOT_WRITE_FILE, file(name) + ": it is the input"};
   std::filesystem::create_directories(m_path, error);
   if (error) return {VMP::ERROR_CANNOT_WRITE_FILE, m_path + ": " + error.message()};
-  for (const char* name : {object, order, parameter, hexahedra, result, curves, report}) {
+  for (const char* name : names) {
     std::filesystem::remove(file(name), error);
     if (error) return {VMP::ERROR_CANNOT_WRITE_FILE, file(name) + ": " + error.message()};
   }

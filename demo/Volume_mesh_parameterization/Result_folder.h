@@ -16,7 +16,8 @@ public:
   std::string file(const char* name) const { return m_path + "/" + name; }
   bool has(const char* name) const;
 
-  CGAL::Volume_mesh_parameterization::Status create() const;
+  // Refuses to remove or overwrite the file `input`.
+  CGAL::Volume_mesh_parameterization::Status create(const std::string& input) const;
 
   CGAL::Volume_mesh_parameterization::Status
   write_order(const std::vector<CGAL::Volume_mesh_parameterization::Cell_index>& order) const;

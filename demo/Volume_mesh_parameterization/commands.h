@@ -16,7 +16,7 @@ enum class Field { CERTIFIED, FLUX, PAPER };
 
 struct Input_options {
   std::string file;
-  std::string partition; // "auto", "labels" or empty: labels if the file has them
+  std::string partition; // "auto", "labels" or empty: labels if the file has them and there is no direction
   std::optional<std::array<double, 3>> direction;
   std::size_t number_of_tetrahedra = 30000; // about, for a surface
 };

@@ -10,20 +10,22 @@
 
 namespace {
 
+constexpr double most_cells = 1e7; // more is a slip of the keyboard
+
 void add_quiet(CLI::App& command, bool& quiet) { command.add_flag("-q,--quiet", quiet, "say nothing but errors"); }
 
 void add_input(CLI::App& command, Input_options& options) {
   command.add_option("INPUT", options.file, "a closed triangle surface (.off .obj .ply .stl) or tetrahedra (.mesh .vtk .vtu)")
       ->required();
   command.add_option("--tets", options.number_of_tetrahedra, "about how many tetrahedra for a surface input")
-      ->check(CLI::PositiveNumber)
+      ->check(CLI::Range(1., most_cells).description("up to 1e7"))
       ->capture_default_str();
 }
 
 void add_parameterize(CLI::App& command, Parameterize_options& options) {
   add_input(command, options.input);
   command.add_option("-o,--output", options.folder, "the folder for the result")->required();
-  command.add_option("--partition", options.input.partition, "where floor, ceiling and walls come from; default: labels if INPUT has them, else auto")
+  command.add_option("--partition", options.input.partition, "where floor, ceiling and walls come from; default: labels if INPUT has them and there is no --direction, else auto")
       ->check(CLI::IsMember({"auto", "labels"}));
   command.add_option("--direction", options.input.direction, "from the floor to the ceiling, as X,Y,Z")->delimiter(',');
   const std::map<std::string, Field> fields = {
@@ -31,6 +33,7 @@ void add_parameterize(CLI::App& command, Parameterize_options& options) {
   command.add_option("--field", options.field, "the curves: certified (default), of the flux itself, or also the paper's averaged gradient for comparison")
       ->transform(CLI::CheckedTransformer(fields).description("{certified,flux,paper}"));
   command.add_option("--hexes", options.number_of_hexahedra, "also a hexahedral mesh of about so many cells; 0: none")
+      ->check(CLI::Range(0., most_cells).description("up to 1e7"))
       ->capture_default_str();
   command.add_option("--solver", options.solver, "for the linear systems")
       ->check(CLI::IsMember(Chosen_solver_traits::names()))

@@ -54,7 +54,8 @@ Status load_tetrahedra(const Input_options& options, Stage_clock& clock, Input& 
   const Status status = read_tetrahedra(options.file, input.mesh);
   if (!status.ok()) return status;
   const auto labels = input.mesh.labelled_facets();
-  input.has_labels = options.partition != "auto" && std::any_of(labels.begin(), labels.end(), [](const auto& f) { return f.label != 0; });
+  const bool is_auto = options.partition == "auto" || (options.partition.empty() && options.direction);
+  input.has_labels = !is_auto && std::any_of(labels.begin(), labels.end(), [](const auto& f) { return f.label != 0; });
   if (options.partition == "labels" || input.has_labels) return {};
   clock.start("partition");
   return VMP::partition_solid(input.mesh, directions_of(options, input.mesh), &input.direction);

@@ -41,7 +41,7 @@ public:
       : m_options(options), m_folder(options.folder), m_clock(options.quiet) {}
 
   int run() {
-    const Status writable = m_folder.create();
+    const Status writable = m_folder.create(m_options.input.file);
     if (!writable.ok()) return say(writable, INPUT_REFUSED);
     m_report["input"] = {{"file", m_options.input.file}};
     Input input;

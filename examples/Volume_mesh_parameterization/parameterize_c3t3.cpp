@@ -55,6 +55,6 @@ int main() {
   for (std::size_t v = 0; v < cells.number_of_vertices(); ++v)
     if (cells.point(v).z() < cells.point(lowest).z()) lowest = v;
   std::cout << cells.number_of_cells() << " cells, genus " << result.partition().genus << "\n"
-            << cells.vertex_handle(lowest)->point() << " has the parameters " << result.vertex_images()[lowest] << std::endl;
+            << cells.point(lowest) << " has the parameters " << result.vertex_images()[lowest] << std::endl;
   return EXIT_SUCCESS;
 }

@@ -23,12 +23,14 @@ enum class Shape { PLAIN, JITTERED, BENT, TWISTED };
 // A block of height 1 with holes: as it is, or with interior vertices moved by up to 20 % of the edge of a cube, or
 // bent by 90 degrees, or twisted by as much.
 template <typename Point>
-CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3<Point> shaped_block(Shape shape, int holes, int per_unit,
-                                                                           int layers, unsigned seed = 1) {
+CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3<Point>
+shaped_block(Shape shape, int holes, int per_unit, int layers, unsigned seed = 1) {
   const auto soup = Block_with_holes<Point>(holes, per_unit, layers).soup();
   switch (shape) {
-  case Shape::PLAIN: return soup;
-  case Shape::JITTERED: return jitter_interior(soup, 0.2 / std::max(per_unit, layers), seed);
+  case Shape::PLAIN:
+    return soup;
+  case Shape::JITTERED:
+    return jitter_interior(soup, 0.2 / std::max(per_unit, layers), seed);
   case Shape::BENT:
     return transformed(soup, [](const Point& p) {
       const double angle = CGAL_PI / 2 * CGAL::to_double(p.z()), radius = 1 + CGAL::to_double(p.x());
@@ -66,14 +68,20 @@ struct Swept_solid {
     require(harmonic.solve());
     require(flux.solve());
     require(potential.solve());
-    require(sweep(mesh, potential.values(), structure));
+    require(sweep(mesh, guide(), structure));
   }
   Swept_solid(const Swept_solid&) = delete;
   Swept_solid& operator=(const Swept_solid&) = delete;
 
-  Curve_field certified_field(
-      CGAL::Volume_mesh_parameterization::Level_function level = CGAL::Volume_mesh_parameterization::HARMONIC_LEVEL) const {
+  Curve_field certified_field(CGAL::Volume_mesh_parameterization::Level_function level =
+                                  CGAL::Volume_mesh_parameterization::HARMONIC_LEVEL) const {
     return {mesh, structure, flux, harmonic, level};
+  }
+
+  CGAL::Volume_mesh_parameterization::Sweep_guide_3 guide() const {
+    std::vector<std::array<std::int8_t, 4>> signs;
+    for (const auto c : mesh.cells()) signs.push_back(flux.signs(c));
+    return {potential.values(), signs};
   }
 
 private:

@@ -62,8 +62,8 @@ void test_vertical(int holes, int per_unit) {
   const Field flux(solid.mesh, solid.flux, solid.harmonic);
   const double angle_of_flux = largest_angle_to_vertical(solid, flux);
   const double angle = largest_angle_to_vertical(solid, solid.certified_field());
-  std::cout << holes << " holes, " << per_unit << " cubes per unit, angles to the vertical: flux " << angle_of_flux
-            << ", certified " << angle << " degrees" << std::endl;
+  std::cout << holes << " holes, " << per_unit << " cubes per unit, angles to the vertical: flux "
+            << angle_of_flux << ", certified " << angle << " degrees" << std::endl;
   assert(angle_of_flux < 1e-10);
   assert(per_unit < 3 || angle < 5);
   for (VMP::Cell_index c : solid.mesh.cells()) assert(flux.follows_harmonic_level(c));

@@ -31,7 +31,8 @@ public:
         m_floor(floor_facets(m_mesh)) {
     CGAL::Bbox_3 box;
     for (const auto& p : m_mesh.points()) box += p.bbox();
-    m_diameter = std::hypot(std::hypot(box.xmax() - box.xmin(), box.ymax() - box.ymin()), box.zmax() - box.zmin());
+    m_diameter =
+        std::hypot(std::hypot(box.xmax() - box.xmin(), box.ymax() - box.ymin()), box.zmax() - box.zmin());
     for (VMP::Facet_index f : m_mesh.boundary_facets())
       for (VMP::Vertex_index v : m_mesh.vertices(f))
         if (m_mesh.label(f) >= VMP::FIRST_WALL) m_wall.emplace_back(v, m_mesh.label(f));
@@ -183,7 +184,8 @@ bool is_lost(const VMP::Status& status, const std::string& why) {
 }
 
 // The rates of a field that turns around the edge from a to b in the cells that share it.
-Rates whirl(const Swept_solid<Inexact>& solid, VMP::Vertex_index a, VMP::Vertex_index b, VMP::Cell_index& some_cell) {
+Rates whirl(const Swept_solid<Inexact>& solid, VMP::Vertex_index a, VMP::Vertex_index b,
+            VMP::Cell_index& some_cell) {
   Rates rates(solid.mesh.number_of_cells());
   for (VMP::Cell_index c : solid.mesh.cells()) {
     const int i = solid.mesh.index(c, a), j = solid.mesh.index(c, b);
@@ -207,7 +209,8 @@ void test_lost() {
   assert(is_lost(trace_up(solid, rates, VMP::Cell_index(3)), "tetrahedron 3 has no facet to leave by"));
 
   const auto facets = mesh.boundary_facets();
-  const auto wall = std::find_if(facets.begin(), facets.end(), [&](auto f) { return mesh.label(f) >= VMP::FIRST_WALL; });
+  const auto wall =
+      std::find_if(facets.begin(), facets.end(), [&](auto f) { return mesh.label(f) >= VMP::FIRST_WALL; });
   const VMP::Half_facet h = mesh.half_facet(*wall);
   rates[h.cell] = {1, 1, 1, 1};
   rates[h.cell][h.index] = -3;
@@ -230,8 +233,8 @@ int main() {
     for (int holes = 0; holes <= 2; ++holes) {
       Test<Inexact> test(shape, holes, 3, 3);
       const double gap = test.largest_gap(10000);
-      std::cout << "shape " << int(shape) << ", " << holes << " holes: back within " << gap << " of the diameter"
-                << std::endl;
+      std::cout << "shape " << int(shape) << ", " << holes << " holes: back within " << gap
+                << " of the diameter" << std::endl;
       assert(gap < 1e-12);
       test.test_walls();
       test.test_vertices();

@@ -116,13 +116,15 @@ void test_count() {
   VMP::Status status = mesh.assign(soup);
   assert(status.ok());
   Structure structure;
-  status = VMP::sweep(mesh, {0.}, structure);
-  assert(status.code() == VMP::ERROR_SWEEP_STOPPED && status.detail() == "1 tetrahedra are left, among them 0");
+  status = VMP::sweep(mesh, std::vector<double>{0.}, structure);
+  assert(status.code() == VMP::ERROR_SWEEP_STOPPED &&
+         status.detail() == "1 tetrahedra are left, among them 0");
 }
 
 int main() {
   for (int holes = 0; holes <= 4; ++holes) {
-    for (Shape shape : {Shape::PLAIN, Shape::JITTERED, Shape::BENT, Shape::TWISTED}) test_block(shape, holes, 3, 3);
+    for (Shape shape : {Shape::PLAIN, Shape::JITTERED, Shape::BENT, Shape::TWISTED})
+      test_block(shape, holes, 3, 3);
     for (int per_unit = 1; per_unit <= 2; ++per_unit)
       for (int layers = 1; layers <= 4; ++layers) test_block(Shape::PLAIN, holes, per_unit, layers);
     for (unsigned seed = 2; seed < 6; ++seed) test_block(Shape::JITTERED, holes, 2, 2, seed);

@@ -50,6 +50,21 @@ void test_blocks() {
   }
 }
 
+// Walls become bases and bases walls.
+Soup turned_labels(int holes) {
+  Soup soup = block(holes);
+  for (VMP::Labelled_facet& f : soup.facets)
+    if (f.label <= 4) f.label = 5 - f.label;
+  return soup;
+}
+
+// All patches of a solid torus are annuli, so it can be swept from the hole outwards as well.
+void test_sideways() {
+  Parameterizer result;
+  expect(VMP::parameterize(turned_labels(1), result), VMP::OK);
+  test_images(turned_labels(1), result);
+}
+
 void expect_refusal(const Soup& soup, VMP::Error_code code) {
   Parameterizer result;
   expect(VMP::parameterize(soup, result), code);
@@ -73,9 +88,7 @@ void test_wrong_labels() {
   soup.facets.push_back({{cell[0], cell[1], cell[3]}, VMP::FLOOR});
   expect_refusal(soup, VMP::ERROR_LABEL_NOT_ON_BOUNDARY);
 
-  soup = block(1);
-  for (VMP::Labelled_facet& f : soup.facets) f.label = 5 - f.label; // walls become bases and bases walls
-  expect_refusal(soup, VMP::ERROR_PATCH_TOPOLOGY);
+  expect_refusal(turned_labels(2), VMP::ERROR_WALLS_MEET);
 
   expect_refusal(Soup(), VMP::ERROR_EMPTY_MESH);
 }
@@ -181,6 +194,7 @@ void test_refused_surfaces() {
            VMP::ERROR_CANCELLED);
   }
   surface.triangles.pop_back();
+  surface.labels.clear();
   expect(VMP::parameterize_surface(surface, result), VMP::ERROR_OPEN_SURFACE);
   CGAL::Surface_mesh<Point> quadrilateral;
   CGAL::Surface_mesh<Point>::Vertex_index v[4];
@@ -247,6 +261,7 @@ void test_refused_partitions() {
 
 int main() {
   test_blocks();
+  test_sideways();
   test_wrong_labels();
   test_visitor();
   test_level_function();

@@ -113,24 +113,23 @@ test_wrong_usage() {
   run 2 check --no-such-option block.mesh
   run 2 no-such-command
   run 2 parameterize block.mesh -o result --field steepest
-  run 2 parameterize block.mesh -o result --partition auto --direction 1,2
-  run 2 parameterize block.mesh -o result --partition auto --direction 0,0,0
-  run 2 parameterize block.mesh -o result --partition auto --direction nan,0,0
+  run 2 parameterize block.mesh -o result --direction 1,2
+  run 2 parameterize block.mesh -o result --hexes -5
+  run 2 parameterize block.mesh -o result --hexes 1000000000000
+  run 2 parameterize block.mesh -o result --tets 0
   [ ! -e result ] || fail "wrong usage leaves a folder"
   run 0 --help
   grep -q parameterize output || fail "--help does not name the commands"
 }
 
 test_bad_surfaces() {
-  : >empty.off
-  refused empty.off 'truncated or malformed'
-  cube | head -n 9 >truncated.off
+  cube | sed '10,$d' >truncated.off
   refused truncated.off 'truncated or malformed'
   cube | sed '4s/^[^ ]*/nan/' >nan.off
-  refused nan.off 'malformed\|not a number'
+  refused nan.off 'not finite'
   cube | sed '2s/12/11/; $d' >open.off
-  refused open.off 'border'
-  cube | sed '10s/.*/-1 -1 -1/' >crossing.off
+  refused open.off 'not closed'
+  cube | sed '10s/.*/-1 0.2 0.3/' >crossing.off
   refused crossing.off 'intersect'
   { printf 'OFF\n16 24 0\n' && cube_vertices 0 && cube_vertices 5 && cube_triangles 0 && cube_triangles 8; } >two.off
   refused two.off 'connected\|components'
@@ -139,20 +138,23 @@ test_bad_surfaces() {
     printf '%s\n' '1 -1 0' '2 -1 0' '2 0 0' '1 -1 1' '2 -1 1' '2 0 1' && cube_triangles 0 &&
     cube_triangles 0 | awk '{ split("8 9 1 10 11 12 5 13", v); print 3, v[$2 + 1], v[$3 + 1], v[$4 + 1] }'; } >edge.off
   refused edge.off 'manifold'
-  head -c 5000 /dev/urandom >noise.off
-  refused noise.off 'malformed'
+  local type
+  for type in off obj ply stl mesh vtk vtu; do
+    head -c 5000 "$program" >noise.$type
+    refused noise.$type 'malformed'
+    : >empty.$type
+    refused empty.$type 'truncated or malformed'
+  done
   refused missing.off 'cannot be read'
   mkdir folder.off
   refused folder.off 'cannot be read\|malformed'
 }
 
 test_bad_tetrahedra() {
-  : >empty.mesh
-  refused empty.mesh 'truncated or malformed'
   head -n 200 block.mesh >truncated.mesh
   refused truncated.mesh 'truncated or malformed'
   sed '5s/^[^ ]*/nan/' block.mesh >nan.mesh
-  refused nan.mesh 'malformed\|not a number'
+  refused nan.mesh 'not finite'
   awk 'tets && NF == 5 { print $2, $1, $3, $4, $5; tets = 0; next } /Tetrahedra/ { tets = 1 } { print }' block.mesh >inverted.mesh
   refused inverted.mesh 'inverted'
   printf '%s\n' 'MeshVersionFormatted 2' 'Dimension 3' Vertices 4 '0 0 0 0' '1 0 0 0' '0 1 0 0' '1 1 0 0' \
@@ -164,6 +166,15 @@ test_bad_tetrahedra() {
   refused block.xyz 'does not end in'
 }
 
+test_bad_direction() {
+  local direction
+  for direction in 0,0,0 nan,0,0 inf,0,0; do
+    rm -rf result
+    run 1 parameterize block.mesh -o result --direction "$direction"
+    says_why block.mesh 'parameter'
+  done
+}
+
 test_unwritable_folder() {
   run 1 parameterize block.mesh -o block.mesh/result
   says_why block.mesh 'cannot write'
@@ -171,6 +182,15 @@ test_unwritable_folder() {
 
 # A key of the report, at whatever depth.
 has_key() { grep -q "\"$1\":" "$2/report.json" || fail "the report has no $1"; }
+
+# The folder of the result must not be that of the input if this is named as a file of the result.
+test_own_input() {
+  mkdir own
+  cp block.mesh own/object.mesh
+  run 1 parameterize own/object.mesh -o own
+  says_why own/object.mesh 'it is the input'
+  cmp block.mesh own/object.mesh || fail "the input was touched"
+}
 
 test_good_block() {
   local name
@@ -194,7 +214,6 @@ test_good_block() {
 
 test_broken_results() {
   cp result/order.txt order
-  awk 'NR == 1 { first = $0; next } NR == 2 { print; print first; next } { print }' order >swapped
   { tail -n 1 order && sed '1d;$d' order && head -n 1 order; } >result/order.txt
   run 3 verify result
   grep -q order.txt errors || fail "verify does not name order.txt"
@@ -211,7 +230,9 @@ block 4 3 >block.mesh
 test_wrong_usage
 test_bad_surfaces
 test_bad_tetrahedra
+test_bad_direction
 test_unwritable_folder
+test_own_input
 test_good_block
 test_broken_results
 echo done

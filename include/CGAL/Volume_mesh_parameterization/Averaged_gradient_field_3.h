@@ -72,6 +72,7 @@ public:
     }
   };
 
+  /// \param mesh a mesh with a labelled boundary; it must outlive the field
   /// \param values the values of the harmonic function at the vertices: see `Harmonic_function_3::values()`
   /// \param relative_step the length of a step, relative to the edge length of a regular simplex of the same size
   /// \param maximal_number_of_steps after so many steps a curve counts as stuck
@@ -95,7 +96,9 @@ public:
   const Vector_3& wall_vector(Vertex_index v) const { return m_wall_gradients[v]; }
 
   /// follows the field from a vertex, on the wall if it lies there.
+  /// \param v the vertex
   /// \param base `FLOOR` or `CEILING`: where to go
+  /// \param with_polyline whether to keep all steps
   Curve trace(Vertex_index v, int base, bool with_polyline = false) const {
     if (m_patches[v] & patch(base)) return end_at(v, base);
     if (m_patches[v] & ON_WALL) {

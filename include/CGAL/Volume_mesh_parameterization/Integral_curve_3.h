@@ -149,10 +149,11 @@ public:
   /// @{
 
   /*!
-  moves `at` along its curve until it reaches the base in that direction or `duration` is used up, whichever comes
-  first; `duration` is what the level function gains or loses on the way, negative for no limit.
+  moves `at` along its curve until it reaches the base in that direction or `duration` is used up, whichever comes first.
 
   \param[in,out] at the location; on arrival its cell has the facet `arrival`
+  \param direction towards which base
+  \param duration what the level function may gain or lose on the way, negative for no limit
   \param[out] arrival the facet of the base, its cell invalid if the duration was used up before
   \param[out] elapsed the level gained or lost
   \param on_segment a functor called as `on_segment(begin, end, time)` for each segment, two locations in one cell

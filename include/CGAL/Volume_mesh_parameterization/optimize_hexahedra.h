@@ -61,8 +61,9 @@ public:
     const double p1 = env("P1", 1), p2 = env("P2", 4), g = env("G", 2), tol = env("TOL", 1e-3);
     m_epsilon = (std::max)(1e-3, -2 * least());
     int k = 0;
-    for (double p = p1; p <= p2; p *= g) {
-      m_power = p;
+    for (double p = p1; p <= p2 * g * .99 + env("PF", 0); p *= g) {
+      if (p > p2 * 1.01) { if (env("PF", 0) == 0) break; p = 1e9; T = env("TF", .2); L = env("LF", .1); }
+      m_power = p == 1e9 ? env("PF", 8) : p;
       double old = std::numeric_limits<double>::infinity();
       for (; k < most_sweeps; ++k) {
         for (std::size_t v = 0; v < m_points.size(); ++v) improve(k % 2 ? m_points.size() - 1 - v : v);
@@ -74,7 +75,7 @@ public:
         const double s = (std::max)(.1, 1 - e / old);
         const double r = std::sqrt(l * l + m_epsilon * m_epsilon);
         if (l < 0) m_epsilon *= 1 - s * r / (std::abs(l) + r); else m_epsilon *= 1 - s;
-        m_epsilon = (std::max)(m_epsilon, 1e-4);
+        m_epsilon = (std::max)(m_epsilon, env("EM", 1e-2));
         old = total();
       }
     }

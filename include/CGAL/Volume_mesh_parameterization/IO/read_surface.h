@@ -65,7 +65,7 @@ template <typename Point>
 Status read_polygons(const std::string& filename, Triangle_soup_3<Point>& soup) {
   std::vector<std::vector<std::size_t>> polygons;
   try {
-    if (!CGAL::IO::read_polygon_soup(filename, soup.points, polygons))
+    if (!CGAL::IO::read_polygon_soup(filename, soup.points, polygons, CGAL::parameters::verbose(false)))
       return {ERROR_WRONG_FORMAT, "it is truncated or not of the type " + lower_case_extension(filename)};
   } catch (const std::exception&) { // a failed allocation, or an assertion of the reader
     return {ERROR_WRONG_FORMAT, "it is not of the type " + lower_case_extension(filename)};
