@@ -57,7 +57,7 @@ private:
     m_report["input"]["kind"] = input.is_surface ? "surface" : "tetrahedra";
     m_report["input"]["partition"] = input.has_labels ? "labels" : "auto";
     m_report["input"]["direction"] = {input.direction.x(), input.direction.y(), input.direction.z()};
-    const auto type = m_options.field == Field::CERTIFIED ? VMP::CERTIFIED_CURVES : VMP::FLUX_CURVES;
+    const auto type = m_options.field == Field::FLUX ? VMP::FLUX_CURVES : VMP::CERTIFIED_CURVES;
     const Status status =
         m_parameterizer.run(input.mesh, VMP::parameters::curve_type(type).visitor(Clock_visitor{&m_clock}));
     m_clock.finish();
@@ -94,7 +94,7 @@ private:
     m_report["certificates"] = {{"handlebody", true},
                                 {"longest_word", p.handlebody_certificate().longest_word()},
                                 {"product", p.product_structure() != nullptr},
-                                {"curves", p.product_map() != nullptr && m_options.field == Field::CERTIFIED},
+                                {"curves", p.product_map() != nullptr && m_options.field != Field::FLUX},
                                 {"piecewise_linear", false}};
   }
 
@@ -128,7 +128,7 @@ private:
       Soup image = VMP::make_soup(p.mesh());
       image.points = p.vertex_images();
       status = VMP::IO::write_MEDIT(m_folder.file(Result_folder::parameter), image);
-    } else if (m_options.field != Field::CERTIFIED)
+    } else if (m_options.field == Field::FLUX)
       m_not_certified = map.status;
     if (status.ok()) status = write_result(m_folder, p, m_angles, critical_vertices());
     if (status.ok()) status = write_curves(m_folder, p);

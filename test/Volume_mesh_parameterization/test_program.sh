@@ -141,7 +141,7 @@ test_bad_surfaces() {
   local type
   for type in off obj ply stl mesh vtk vtu; do
     head -c 5000 "$program" >noise.$type
-    refused noise.$type 'malformed'
+    refused noise.$type 'malformed\|names a vertex' # binary STL can be anything
     : >empty.$type
     refused empty.$type 'truncated or malformed'
   done
@@ -235,4 +235,4 @@ test_unwritable_folder
 test_own_input
 test_good_block
 test_broken_results
-echo done
+echo 'done'

@@ -58,8 +58,7 @@ void test_lemma(int holes, unsigned seed) {
   assert(status.ok() && mesh.number_of_cells() > before + 200);
 
   const VMP::internal::Edge_numbering edges(mesh);
-  const VMP::internal::Vertex_stars stars(mesh);
-  VMP::internal::Sweep<Kernel> front(mesh, edges, stars, VMP::FLOOR);
+  VMP::internal::Sweep<Kernel> front(mesh, edges, VMP::FLOOR);
   for (VMP::Cell_index c : order) {
     assert(front.is_free(c));
     front.sweep(c);

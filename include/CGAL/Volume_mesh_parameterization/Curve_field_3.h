@@ -62,6 +62,8 @@ public:
   the entry facets and leave through the exit facets of `structure`, parallel to the walls, and that meet every entry
   or exit facet at an angle whose sine is at least `least_slope`.
 
+  \pre `least_slope` is positive
+
   Complexity: \f$ O(n) \f$.
   */
   template <typename Harmonic_function, typename Flux_field>

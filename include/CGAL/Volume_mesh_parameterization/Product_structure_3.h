@@ -89,8 +89,7 @@ template <typename GeomTraits>
 Status sweep(const Compact_tetrahedral_mesh_3<GeomTraits>& mesh, const Sweep_guide_3& guide,
              Product_structure_3<GeomTraits>& structure) {
   const internal::Edge_numbering edges(mesh);
-  const internal::Vertex_stars stars(mesh);
-  internal::Sweep<GeomTraits> front(mesh, edges, stars, FLOOR);
+  internal::Sweep<GeomTraits> front(mesh, edges, FLOOR);
   front.run(guide);
   if (front.is_complete()) {
     structure = {mesh, front.order()};

@@ -55,14 +55,14 @@ public:
   }
 
   void run(int most_sweeps) {
-    T = env("T", 1); L = env("L", .2);
+    T = env("T", 1); L = env("L", .2); C = env("C", 0);
     for (int i = 0; i < env("S", 0); ++i) { smooth(); if (env("V", 0)) std::printf("smooth %d least %g\n", i, least()); }
     rest();
     const double p1 = env("P1", 1), p2 = env("P2", 4), g = env("G", 2), tol = env("TOL", 1e-3);
     m_epsilon = (std::max)(1e-3, -2 * least());
     int k = 0;
     for (double p = p1; p <= p2 * g * .99 + env("PF", 0); p *= g) {
-      if (p > p2 * 1.01) { if (env("PF", 0) == 0) break; p = 1e9; T = env("TF", .2); L = env("LF", .1); }
+      if (p > p2 * 1.01) { if (env("PF", 0) == 0) break; p = 1e9; T = env("TF", .2); C = 0; L = env("LF", .1); }
       m_power = p == 1e9 ? env("PF", 8) : p;
       double old = std::numeric_limits<double>::infinity();
       for (; k < most_sweeps; ++k) {
@@ -84,7 +84,7 @@ public:
   const std::vector<Vector>& points() const { return m_points; }
 
 private:
-  double T, L;
+  double T, L, C;
   std::array<double, 3> axis_lengths(const Hexahedron& h) const {
     std::array<double, 3> l;
     for (int a = 0; a < 3; ++a) { l[a] = 0; for (auto& e : Cube::axis_edges[a]) l[a] += (m_points[h[e[1]]] - m_points[h[e[0]]]).norm() / 4; }
@@ -141,7 +141,7 @@ private:
     Eigen::Matrix3d e;
     for (int k = 0; k < 3; ++k) e.col(k) = (m_points[x[Cube::neighbors[c][k]]] - m_points[x[c]]) / a[k];
     const double d = e.determinant(), X = smooth_sign(d);
-    return std::pow((1 - L) * e.squaredNorm() / 3 / std::cbrt(X * X) + L * (d * d + 1) / 2 / X, m_power);
+    return std::pow((1 - L) * e.squaredNorm() / 3 / std::cbrt(X * X) + L * (d * d + 1) / 2 / X + C * (1 / e.col(0).squaredNorm() + 1 / e.col(1).squaredNorm() + 1 / e.col(2).squaredNorm() + e.squaredNorm()) / 6, m_power);
   }
   double total() const {
     double s = 0;
@@ -192,20 +192,24 @@ private:
         }
         const double d = J.determinant(), q = J.squaredNorm() / 3, r = std::sqrt(d * d + m_epsilon * m_epsilon);
         const double X = (d + r) / 2, X1 = X / r, X2 = m_epsilon * m_epsilon / (2 * r * r * r);
+        double c = 0; Vector dc = Vector::Zero(); Eigen::Matrix3d Hc = Eigen::Matrix3d::Zero();
         Vector dd = Vector::Zero(), dq = Vector::Zero(); double hq = 0;
         for (int m = 0; m < 3; ++m) {
           dd += w[m] * J.col((m + 1) % 3).cross(J.col((m + 2) % 3));
+          const double j2 = J.col(m).squaredNorm();
+          c += C / 6 * (j2 + 1 / j2); dc += C / 3 * w[m] * (1 - 1 / (j2 * j2)) * J.col(m);
+          Hc += C / 3 * w[m] * w[m] * ((1 - 1 / (j2 * j2)) * Eigen::Matrix3d::Identity() + 4 / (j2 * j2 * j2) * J.col(m) * J.col(m).transpose());
           dq += 2. / 3 * w[m] * J.col(m); hq += 2. / 3 * w[m] * w[m];
         }
         const double X23 = 1 / std::cbrt(X * X);
-        const double f = (1 - L) * q * X23 + L * (d * d + 1) / 2 / X;
+        const double f = (1 - L) * q * X23 + L * (d * d + 1) / 2 / X + c;
         const double fq = (1 - L) * X23, fqd = -2. / 3 * (1 - L) * X23 * X1 / X;
         const double fd = q * fqd + L * (d / X - (d * d + 1) * X1 / (2 * X * X));
         const double fdd = (1 - L) * q * X23 * (10. / 9 * X1 * X1 / (X * X) - 2. / 3 * X2 / X) + L * (1 / X - 2 * d * X1 / (X * X) + (d * d + 1) * (X1 * X1 / (X * X * X) - X2 / (2 * X * X)));
         const double F = std::pow(f, m_power), F1 = m_power * F / f, F2 = (m_power - 1) * F1 / f;
-        const Vector df = fq * dq + fd * dd;
+        const Vector df = fq * dq + fd * dd + dc;
         g += F1 * df;
-        H += F1 * (fq * hq * Eigen::Matrix3d::Identity() + fqd * (dq * dd.transpose() + dd * dq.transpose()) + fdd * dd * dd.transpose()) + F2 * df * df.transpose();
+        H += F1 * (Hc + fq * hq * Eigen::Matrix3d::Identity() + fqd * (dq * dd.transpose() + dd * dq.transpose()) + fdd * dd * dd.transpose()) + F2 * df * df.transpose();
         old += F;
       }
     }

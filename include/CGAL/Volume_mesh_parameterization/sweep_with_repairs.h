@@ -87,8 +87,7 @@ private:
 
   std::vector<Cell_index> from_floor(const std::vector<Cell_index>& beginning, const Sweep_guide_3& guide) const {
     const Edge_numbering edges(m_mesh);
-    const Vertex_stars stars(m_mesh);
-    Sweep<GeomTraits> sweep(m_mesh, edges, stars, FLOOR);
+    Sweep<GeomTraits> sweep(m_mesh, edges, FLOOR);
     for (Cell_index c : beginning) sweep.sweep(c);
     sweep.run(guide);
     return sweep.order();
@@ -96,8 +95,7 @@ private:
 
   bool from_ceiling(const Sweep_guide_3& guide, std::vector<Cell_index>& order) {
     const Edge_numbering edges(m_mesh);
-    const Vertex_stars stars(m_mesh);
-    Sweep<GeomTraits> sweep(m_mesh, edges, stars, CEILING);
+    Sweep<GeomTraits> sweep(m_mesh, edges, CEILING);
     sweep.run(guide);
     m_report.from_ceiling = sweep.is_complete();
     if (m_report.from_ceiling) order.assign(sweep.order().rbegin(), sweep.order().rend());
@@ -109,10 +107,9 @@ private:
   // `order` keeps the longest order from the floor.
   bool restart(Sweep_guide_3 guide, std::vector<Cell_index>& order) {
     const Edge_numbering edges(m_mesh);
-    const Vertex_stars stars(m_mesh);
     while (m_report.restarts < most_restarts) {
       ++m_report.restarts;
-      Sweep<GeomTraits> up(m_mesh, edges, stars, FLOOR), down(m_mesh, edges, stars, CEILING);
+      Sweep<GeomTraits> up(m_mesh, edges, FLOOR), down(m_mesh, edges, CEILING);
       up.run(guide);
       for (Cell_index c : up.order()) down.exclude(c);
       down.run(guide);

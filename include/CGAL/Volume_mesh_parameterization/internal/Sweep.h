@@ -13,7 +13,6 @@
 #include <CGAL/Volume_mesh_parameterization/Compact_tetrahedral_mesh_3.h>
 #include <CGAL/Volume_mesh_parameterization/Sweep_guide_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Edge_numbering.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Vertex_stars.h>
 
 #include <algorithm>
 #include <array>
@@ -42,10 +41,9 @@ public:
   using Mesh = Compact_tetrahedral_mesh_3<GeomTraits>;
 
   // base: FLOOR or CEILING
-  Sweep(const Mesh& mesh, const Edge_numbering& edges, const Vertex_stars& stars, int base)
+  Sweep(const Mesh& mesh, const Edge_numbering& edges, int base)
       : m_mesh(mesh),
         m_edges(edges),
-        m_stars(stars),
         m_upwards(base == FLOOR ? 1 : -1),
         m_swept(mesh.number_of_cells(), 0),
         m_facets(mesh.number_of_facets(), 0),
@@ -156,29 +154,17 @@ private:
       if (closure.edges >> k & 1) m_edge_flags[m_edges.edge(h.cell, k)] |= flag;
   }
 
-  // Adds an exit facet to the reached set and remembers the cells that may have become free.
+  // Adds an exit facet to the reached set. Only the cell above it may have become free: what is reached of any other cell
+  // is in none of its entry facets, against rule (1).
   void reach(Half_facet h) {
     m_facets[m_mesh.facet(h.cell, h.index)] = 1;
     const Cell_index above = m_mesh.neighbor(h.cell, h.index);
     if (above.is_valid()) m_changed.push_back(above);
-    for (Vertex_index v : m_mesh.vertices(h))
-      if (m_vertex_flags[v] == ON_WALL) append_star(v);
-    Closure closure;
-    closure.add(h.index);
-    for (int k = 0; k < 6; ++k) {
-      const Edge_index e = m_edges.edge(h.cell, k);
-      if ((closure.edges >> k & 1) && m_edge_flags[e] == ON_WALL) append_star(m_edges.ends(e)[0]);
-    }
     flag_closure(h, REACHED);
-  }
-
-  void append_star(Vertex_index v) {
-    for (Cell_index c : m_stars.cells(v)) m_changed.push_back(c);
   }
 
   const Mesh& m_mesh;
   const Edge_numbering& m_edges;
-  const Vertex_stars& m_stars;
   int m_upwards;
   std::vector<char> m_swept, m_facets, m_edge_flags, m_vertex_flags;
   std::vector<Cell_index> m_order, m_changed;
