@@ -88,7 +88,7 @@ package_of() {
   case $1 in
   $package/*) say $package ;;
   license.h | license/* | config.h | version.h | disable_warnings.h | enable_warnings.h) say Installation ;;
-  enum.h | Bbox_*.h | Kernel/* | Kernel_traits.h | Exact_predicates_*.h | Origin.h | representation_tags.h) say Kernel_23 ;;
+  enum.h | determinant.h | Bbox_*.h | Kernel/* | Kernel_traits.h | Exact_predicates_*.h | Origin.h | representation_tags.h) say Kernel_23 ;;
   Simple_cartesian.h | Cartesian.h) say Cartesian_kernel ;;
   number_utils.h | number_type_basic.h | Coercion_traits.h) say Algebraic_foundations ;;
   number_type_config.h | Exact_rational.h | Lazy_exact_nt.h | Gmpq.h | Interval_nt.h | FPU.h) say Number_types ;;
@@ -96,6 +96,7 @@ package_of() {
   squared_distance_2.h | Distance_2/*) say Distance_2 ;;
   Intersections_3/*) say Intersections_3 ;;
   Intersections_2/*) say Intersections_2 ;;
+  AABB_*.h) say AABB_tree ;;
   box_intersection_d.h | Box_intersection_d/*) say Box_intersection_d ;;
   Eigen_*.h) say Solver_interface ;;
   boost/graph/*) say BGL ;;
@@ -106,7 +107,7 @@ package_of() {
   spatial_sort.h | Spatial_sort_*.h | hilbert_sort.h) say Spatial_sorting ;;
   property_map.h) say Property_map ;;
   Random.h) say Random_numbers ;;
-  assertions.h | tags.h | Named_function_parameters.h | for_each.h | iterator.h | Default.h | array.h) say STL_Extension ;;
+  assertions.h | Uncertain.h | tags.h | Named_function_parameters.h | for_each.h | iterator.h | Default.h | array.h) say STL_Extension ;;
   *) say "(the package of CGAL/$1, which house_rules.sh does not know)" ;;
   esac
 }

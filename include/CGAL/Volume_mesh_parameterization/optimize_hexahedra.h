@@ -192,17 +192,17 @@ private:
         }
         const double d = J.determinant(), q = J.squaredNorm() / 3, r = std::sqrt(d * d + m_epsilon * m_epsilon);
         const double X = (d + r) / 2, X1 = X / r, X2 = m_epsilon * m_epsilon / (2 * r * r * r);
-        double c = 0; Vector dc = Vector::Zero(); Eigen::Matrix3d Hc = Eigen::Matrix3d::Zero();
+        double cc = 0; Vector dc = Vector::Zero(); Eigen::Matrix3d Hc = Eigen::Matrix3d::Zero();
         Vector dd = Vector::Zero(), dq = Vector::Zero(); double hq = 0;
         for (int m = 0; m < 3; ++m) {
           dd += w[m] * J.col((m + 1) % 3).cross(J.col((m + 2) % 3));
           const double j2 = J.col(m).squaredNorm();
-          c += C / 6 * (j2 + 1 / j2); dc += C / 3 * w[m] * (1 - 1 / (j2 * j2)) * J.col(m);
+          cc += C / 6 * (j2 + 1 / j2); dc += C / 3 * w[m] * (1 - 1 / (j2 * j2)) * J.col(m);
           Hc += C / 3 * w[m] * w[m] * ((1 - 1 / (j2 * j2)) * Eigen::Matrix3d::Identity() + 4 / (j2 * j2 * j2) * J.col(m) * J.col(m).transpose());
           dq += 2. / 3 * w[m] * J.col(m); hq += 2. / 3 * w[m] * w[m];
         }
         const double X23 = 1 / std::cbrt(X * X);
-        const double f = (1 - L) * q * X23 + L * (d * d + 1) / 2 / X + c;
+        const double f = (1 - L) * q * X23 + L * (d * d + 1) / 2 / X + cc;
         const double fq = (1 - L) * X23, fqd = -2. / 3 * (1 - L) * X23 * X1 / X;
         const double fd = q * fqd + L * (d / X - (d * d + 1) * X1 / (2 * X * X));
         const double fdd = (1 - L) * q * X23 * (10. / 9 * X1 * X1 / (X * X) - 2. / 3 * X2 / X) + L * (1 / X - 2 * d * X1 / (X * X) + (d * d + 1) * (X1 * X1 / (X * X * X) - X2 / (2 * X * X)));

@@ -5,7 +5,8 @@
 // $Id$
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The same switches as the generated files of CGAL/license, for a package that lives outside of CGAL's tree.
+// #include <CGAL/license/Volume_mesh_parameterization.h> comes first in each header of the package. These are the
+// switches of the generated files of CGAL/license, for a package that lives outside of CGAL's tree.
 
 #ifndef CGAL_LICENSE_VOLUME_MESH_PARAMETERIZATION_H
 #define CGAL_LICENSE_VOLUME_MESH_PARAMETERIZATION_H
