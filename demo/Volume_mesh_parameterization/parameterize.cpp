@@ -8,6 +8,7 @@
 #include <CGAL/Volume_mesh_parameterization/Averaged_gradient_field_3.h>
 #include <CGAL/Volume_mesh_parameterization/IO/MEDIT.h>
 #include <CGAL/Volume_mesh_parameterization/hexahedral_mesh.h>
+#include <CGAL/Volume_mesh_parameterization/optimize_hexahedra.h>
 #include <CGAL/Volume_mesh_parameterization/verify_hexahedra.h>
 #include <CGAL/Volume_mesh_parameterization/verify_map.h>
 
@@ -142,15 +143,12 @@ private:
   }
 
   Status write_hexahedra() {
-    const auto& map = *m_parameterizer.product_map();
-    const auto& domain = map.floor_map().domain();
     VMP::Hexahedron_soup_3<Point_3> hexahedra;
-    Status status = VMP::hexahedral_mesh(
-        domain, VMP::prism_grid_of_size(domain, m_options.number_of_hexahedra),
-        [&](const Kernel::Point_2& q, std::size_t layers, std::vector<Point_3>& points) {
-          return map.column(q, layers, points);
-        },
-        hexahedra);
+    Status status = extract_hexahedra(hexahedra);
+    if (status.ok()) {
+      m_report["hexahedra_before_optimization"] = report_hexahedra(VMP::verify_hexahedra(hexahedra), hexahedra.hexahedra.size());
+      status = VMP::optimize_hexahedra(m_parameterizer.mesh(), hexahedra);
+    }
     if (!status.ok()) {
       m_not_certified = status;
       return {};
@@ -160,6 +158,17 @@ private:
     if (report.is_valid()) return VMP::IO::write_MEDIT(m_folder.file(Result_folder::hexahedra), hexahedra);
     m_not_certified = report.status;
     return {};
+  }
+
+  Status extract_hexahedra(VMP::Hexahedron_soup_3<Point_3>& hexahedra) const {
+    const auto& map = *m_parameterizer.product_map();
+    const auto& domain = map.floor_map().domain();
+    return VMP::hexahedral_mesh(
+        domain, VMP::prism_grid_of_size(domain, m_options.number_of_hexahedra),
+        [&](const Kernel::Point_2& q, std::size_t layers, std::vector<Point_3>& points) {
+          return map.column(q, layers, points);
+        },
+        hexahedra);
   }
 
   // Steps 3 to 5 of the paper on the same mesh: how many interior vertices arrive at each base.

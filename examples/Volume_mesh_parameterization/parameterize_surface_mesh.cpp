@@ -5,6 +5,7 @@
 #include <CGAL/Volume_mesh_parameterization/IO/MEDIT.h>
 #include <CGAL/Volume_mesh_parameterization/IO/VTU.h>
 #include <CGAL/Volume_mesh_parameterization/hexahedral_mesh.h>
+#include <CGAL/Volume_mesh_parameterization/optimize_hexahedra.h>
 #include <CGAL/Volume_mesh_parameterization/parameterize.h>
 #include <CGAL/Volume_mesh_parameterization/verify_hexahedra.h>
 
@@ -55,16 +56,18 @@ int main(int argc, char* argv[]) {
   status = VMP::IO::write_VTU("parameter_values.vtu", result.mesh(), content);
   if (!status.ok()) return fail(status);
 
-  // 5. Make hexahedra, and say how good they are.
+  // 5. Make hexahedra, move their nodes, and write them if all are valid.
   const VMP::Prism_3<Kernel>& prism = result.floor_map()->domain();
   const auto column = [&](const Point_2& uv, std::size_t layers, std::vector<Point_3>& points) {
     return result.product_map()->column(uv, layers, points);
   };
   VMP::Hexahedron_soup_3<Point_3> hexahedra;
   status = VMP::hexahedral_mesh(prism, VMP::prism_grid_of_size(prism, 1000), column, hexahedra);
+  if (status.ok()) status = VMP::optimize_hexahedra(result.mesh(), hexahedra);
   if (!status.ok()) return fail(status);
   const VMP::Hexahedra_report report = VMP::verify_hexahedra(hexahedra);
-  std::cout << hexahedra.hexahedra.size() << " hexahedra, " << report.inverted << " of them inverted\n";
-  status = VMP::IO::write_MEDIT("hexahedra.mesh", hexahedra);
+  std::cout << hexahedra.hexahedra.size() << " hexahedra, " << report.inverted << " of them inverted, least scaled Jacobian "
+            << report.minimum_scaled_jacobian << ", mean " << report.mean_scaled_jacobian << "\n";
+  status = report.is_valid() ? VMP::IO::write_MEDIT("hexahedra.mesh", hexahedra) : report.status;
   return status.ok() ? EXIT_SUCCESS : fail(status);
 }

@@ -66,7 +66,8 @@ class Carriers_3 {
   using Kernel = Exact_predicates_inexact_constructions_kernel;
   using Point_3 = Kernel::Point_3;
   using Types = AABB_types<Kernel>;
-  using Labels = std::pair<int, int>; // of the two sides of a rim, in increasing order; twice the same for a patch
+  using Labels =
+      std::pair<int, int>; // of the two sides of a rim, in increasing order; twice the same for a patch
 
   template <typename Shape, typename Primitive>
   struct Carrier {
@@ -150,7 +151,9 @@ private:
     basis << a, normal.cross(a);
     return basis;
   }
-  static Eigen::Vector3d directions(const Kernel::Segment_3& s) { return to_vector(s.to_vector()).normalized(); }
+  static Eigen::Vector3d directions(const Kernel::Segment_3& s) {
+    return to_vector(s.to_vector()).normalized();
+  }
 
   std::map<Labels, Patch> m_patches;
   std::map<Labels, Rim> m_rims;

@@ -1,0 +1,236 @@
+#undef NDEBUG
+#include "test_util.h"
+
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+
+#include <CGAL/Volume_mesh_parameterization/hexahedral_mesh.h>
+#include <CGAL/Volume_mesh_parameterization/optimize_hexahedra.h>
+
+#include <cassert>
+#include <cmath>
+#include <cstdlib>
+#include <iostream>
+#include <limits>
+#include <map>
+#include <set>
+
+namespace VMP = CGAL::Volume_mesh_parameterization;
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Point_3 = Kernel::Point_3;
+
+template <typename K>
+using Object = VMP::Compact_tetrahedral_mesh_3<K>;
+template <typename K>
+using Hexahedra = VMP::Hexahedron_soup_3<typename K::Point_3>;
+
+constexpr double height = 1.5;
+
+// A cut solid and its hexahedra, before both are bent in the same way.
+template <typename K>
+struct Block {
+  VMP::Tetrahedron_soup_3<typename K::Point_3> tetrahedra;
+  Hexahedra<K> hexahedra;
+
+  Block(int holes, double edge)
+      : tetrahedra(Block_with_holes<typename K::Point_3>(holes, 2, 3, height).soup()) {
+    std::vector<VMP::Rectangle_2> rectangles;
+    for (double k = 0; k < holes; ++k) rectangles.push_back({2 * k + 1, 1, 2 * k + 2, 2});
+    const VMP::Prism_3<K> prism({0, 0, 2. * holes + 1, 3}, rectangles, height);
+    const auto column = [](const typename K::Point_2& p, std::size_t layers, auto& points) {
+      for (std::size_t k = 0; k <= layers; ++k)
+        points.emplace_back(p.x(), p.y(), height * double(k) / double(layers));
+      return VMP::Status();
+    };
+    const VMP::Status status = VMP::hexahedral_mesh(prism, VMP::prism_grid(prism, edge), column, hexahedra);
+    assert(status.ok());
+  }
+
+  Object<K> object() const {
+    Object<K> mesh;
+    const VMP::Status status = mesh.assign(tetrahedra);
+    assert(status.ok());
+    return mesh;
+  }
+};
+
+// Moves nodes by up to `amplitude` along each axis, but not off planes with integer x or y, nor off the bases.
+template <typename K>
+void jitter(Hexahedra<K>& hexahedra, double amplitude) {
+  std::mt19937 random(7);
+  const auto moved = [&](double c, bool is_fixed) {
+    const double offset = amplitude * (2. * random() / random.max() - 1);
+    return is_fixed ? c : c + offset;
+  };
+  const auto is_integer = [](double c) { return c == std::floor(c); };
+  for (auto& point : hexahedra.points) {
+    const double x = CGAL::to_double(point.x()), y = CGAL::to_double(point.y()),
+                 z = CGAL::to_double(point.z());
+    const double mx = moved(x, is_integer(x)), my = moved(y, is_integer(y)),
+                 mz = moved(z, z == 0 || z == height);
+    point = typename K::Point_3(mx, my, mz);
+  }
+}
+
+// Each node is near a triangle of each label that its quadrilaterals have.
+template <typename K>
+void check_carriers(const Object<K>& object, const Hexahedra<K>& hexahedra) {
+  const auto point = [](const auto& p) {
+    return Point_3(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
+  };
+  std::set<std::pair<std::size_t, int>> labels;
+  for (const VMP::Labelled_quadrilateral& q : hexahedra.facets)
+    for (std::size_t v : q.vertices) labels.emplace(v, q.label);
+  for (const auto& [v, label] : labels) {
+    double nearest = std::numeric_limits<double>::infinity();
+    for (VMP::Facet_index f : object.boundary_facets()) {
+      if (object.label(f) != label) continue;
+      const auto t = object.vertices(f);
+      const Kernel::Triangle_3 triangle(point(object.point(t[0])), point(object.point(t[1])),
+                                        point(object.point(t[2])));
+      nearest =
+          std::min(nearest, CGAL::to_double(CGAL::squared_distance(point(hexahedra.points[v]), triangle)));
+    }
+    assert(nearest < 1e-24);
+  }
+}
+
+// Random moves tangle the mesh of a block; they are undone, and creases are found again.
+template <typename K>
+void test_untangling(int holes, double edge, double amplitude) {
+  Block<K> block(holes, edge);
+  jitter<K>(block.hexahedra, amplitude);
+  const Object<K> object = block.object();
+  assert(VMP::verify_hexahedra(block.hexahedra).inverted > 10);
+  Hexahedra<K> again = block.hexahedra;
+  assert(VMP::optimize_hexahedra(object, block.hexahedra).ok());
+  const VMP::Hexahedra_report report = VMP::verify_hexahedra(block.hexahedra);
+  assert(report.is_valid() && report.genus == holes);
+  assert(report.minimum_scaled_jacobian > 0.5 && report.mean_scaled_jacobian > 0.9);
+  check_carriers<K>(object, block.hexahedra);
+  assert(VMP::optimize_hexahedra(object, again).ok() && again.points == block.hexahedra.points);
+}
+
+// A square made round: its four vertical edges vanish in a smooth wall, where corners are nearly flat. A higher target
+// gives a better worst corner.
+void test_smooth_wall() {
+  const auto round = [](const Point_3& p) {
+    const double x = p.x() / 1.5 - 1, y = p.y() / 1.5 - 1;
+    const double r = std::max(std::abs(x), std::abs(y)), norm = std::hypot(x, y);
+    const double s = norm > 0 ? 1 - r + r * r / norm : 1;
+    return Point_3(s * x, s * y, p.z());
+  };
+  Block<Kernel> block(0, 0.5);
+  block.tetrahedra = transformed(block.tetrahedra, round);
+  const Object<Kernel> object = block.object();
+  for (Point_3& p : block.hexahedra.points) p = round(p);
+  const double start = VMP::verify_hexahedra(block.hexahedra).minimum_scaled_jacobian;
+  double least = start;
+  for (double target : {0., 1.}) {
+    Hexahedra<Kernel> hexahedra = block.hexahedra;
+    assert(VMP::optimize_hexahedra(object, hexahedra, {100, target}).ok());
+    check_carriers<Kernel>(object, hexahedra);
+    const VMP::Hexahedra_report report = VMP::verify_hexahedra(hexahedra);
+    assert(report.is_valid() && report.minimum_scaled_jacobian > least);
+    least = report.minimum_scaled_jacobian;
+  }
+  assert(least > 0.35 && least > start + 0.1);
+}
+
+// Boxes cannot be better, and are left to the bit; so is everything if there are no sweeps.
+void test_nothing_to_do() {
+  Block<Kernel> block(1, 0.5);
+  Hexahedra<Kernel> hexahedra = block.hexahedra;
+  assert(VMP::optimize_hexahedra(block.object(), hexahedra).ok());
+  assert(hexahedra.points == block.hexahedra.points);
+  jitter<Kernel>(block.hexahedra, 0.4);
+  hexahedra = block.hexahedra;
+  assert(VMP::optimize_hexahedra(block.object(), hexahedra, {0, 0.3}).ok());
+  assert(hexahedra.points == block.hexahedra.points);
+}
+
+// The derivatives of the energy are those of its values.
+void test_derivatives() {
+  const auto close = [](double a, double b) { return std::abs(a - b) < 1e-6 * (1 + std::abs(b)); };
+  constexpr double h = 1e-5;
+  for (double power : {1., 3.})
+    for (double q : {0.3, 1., 2.})
+      for (double d : {-0.3, 0., 0.5, 1.}) {
+        const VMP::internal::Corner_energy energy{power, 0.6, 0.4};
+        const auto e = energy.derivatives(q, d), q0 = energy.derivatives(q - h, d),
+                   q1 = energy.derivatives(q + h, d), d0 = energy.derivatives(q, d - h),
+                   d1 = energy.derivatives(q, d + h);
+        assert(close(e.f, energy(q, d)));
+        assert(close(e.q, (q1.f - q0.f) / (2 * h)) && close(e.d, (d1.f - d0.f) / (2 * h)));
+        assert(close(e.qq, (q1.q - q0.q) / (2 * h)) && close(e.dd, (d1.d - d0.d) / (2 * h)));
+        assert(close(e.qd, (d1.q - d0.q) / (2 * h)) && close(e.qd, (q1.d - q0.d) / (2 * h)));
+      }
+}
+
+VMP::Error_code code_of(const Object<Kernel>& object, Hexahedra<Kernel> hexahedra,
+                        const VMP::Hexahedra_optimization& options = {}) {
+  const std::vector<Point_3> points = hexahedra.points;
+  const VMP::Status status = VMP::optimize_hexahedra(object, hexahedra, options);
+  assert(status.ok() || hexahedra.points == points);
+  return status.code();
+}
+
+void test_refused_hexahedra() {
+  const Block<Kernel> block(0, 1);
+  const Object<Kernel> object = block.object();
+  assert(code_of(object, {}) == VMP::ERROR_EMPTY_MESH);
+  Hexahedra<Kernel> bad = block.hexahedra;
+  bad.hexahedra[1][3] = 999;
+  assert(code_of(object, bad) == VMP::ERROR_INDEX_OUT_OF_RANGE);
+  bad = block.hexahedra;
+  bad.facets[1].vertices[2] = 999;
+  assert(code_of(object, bad) == VMP::ERROR_LABEL_NOT_ON_BOUNDARY);
+  bad = block.hexahedra;
+  bad.facets.push_back(bad.facets.front());
+  assert(code_of(object, bad) == VMP::ERROR_LABEL_NOT_ON_BOUNDARY);
+  bad = block.hexahedra;
+  bad.facets.pop_back();
+  assert(code_of(object, bad) == VMP::ERROR_UNLABELLED_FACET);
+  bad = block.hexahedra;
+  bad.points[0] = Point_3(0, std::numeric_limits<double>::infinity(), 0);
+  assert(code_of(object, bad) == VMP::ERROR_COORDINATE_NOT_FINITE);
+  bad = block.hexahedra;
+  for (VMP::Labelled_quadrilateral& q : bad.facets)
+    if (q.label == VMP::CEILING) q.label = 77; // a patch that the object does not have
+  assert(code_of(object, bad) == VMP::ERROR_WRONG_PARAMETER);
+  bad = block.hexahedra;
+  for (VMP::Labelled_quadrilateral& q : bad.facets)
+    if (q.label == VMP::FIRST_WALL) q.label = q.vertices[0] % 2 == 0 ? VMP::FLOOR : VMP::CEILING;
+  assert(code_of(object, bad) == VMP::ERROR_WRONG_PARAMETER); // they do not meet
+}
+
+void test_refused_parameters() {
+  const Block<Kernel> block(0, 1);
+  const Object<Kernel> object = block.object();
+  assert(code_of(object, block.hexahedra, {-1, 0.3}) == VMP::ERROR_WRONG_PARAMETER);
+  assert(code_of(object, block.hexahedra, {9, 1.1}) == VMP::ERROR_WRONG_PARAMETER);
+  assert(code_of(Object<Kernel>(), block.hexahedra) == VMP::ERROR_EMPTY_MESH);
+  VMP::Tetrahedron_soup_3<Point_3> touching;
+  touching.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, -1, 0}, {0, 0, -1}};
+  touching.cells = {{0, 1, 2, 3}, {0, 1, 4, 5}};
+  Object<Kernel> not_manifold;
+  assert(not_manifold.assign(touching).ok());
+  assert(code_of(not_manifold, block.hexahedra) == VMP::ERROR_NON_MANIFOLD);
+  Hexahedra<Kernel> three = block.hexahedra; // labels around a vertex
+  three.facets.front().label = VMP::FIRST_WALL;
+  three.facets[1].label = 9;
+  assert(code_of(object, three) == VMP::ERROR_WRONG_PARAMETER);
+}
+
+int main() {
+  test_derivatives();
+  test_untangling<Kernel>(0, 0.375, 0.28);
+  test_untangling<Kernel>(2, 0.5, 0.45);
+  test_untangling<CGAL::Exact_predicates_exact_constructions_kernel>(1, 0.5, 0.45);
+  test_smooth_wall();
+  test_nothing_to_do();
+  test_refused_hexahedra();
+  test_refused_parameters();
+  std::cout << "done" << std::endl;
+  return EXIT_SUCCESS;
+}
