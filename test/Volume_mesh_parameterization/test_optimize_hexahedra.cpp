@@ -183,7 +183,7 @@ void test_refused_hexahedra() {
   bad.hexahedra[1][3] = 999;
   assert(code_of(object, bad) == VMP::ERROR_INDEX_OUT_OF_RANGE);
   bad = block.hexahedra;
-  bad.facets[1].vertices[2] = 999;
+  bad.facets.push_back({{0, 1, 2, 999}, VMP::FLOOR});
   assert(code_of(object, bad) == VMP::ERROR_LABEL_NOT_ON_BOUNDARY);
   bad = block.hexahedra;
   bad.facets.push_back(bad.facets.front());

@@ -36,7 +36,7 @@ tells `optimize_hexahedra()` how far to go.
 */
 struct Hexahedra_optimization {
   int most_sweeps = 100; ///< over all nodes, in each of at most eight passes; most passes end after 5 to 30
-  double target = 0.3;   ///< the least scaled Jacobian for which the mean is given up
+  double target = 0.2;   ///< the least scaled Jacobian for which even sizes and the mean are given up
 };
 
 namespace internal {
