@@ -48,7 +48,7 @@ check_text() {
 check_folder() {
   local lists=$1/$package/CMakeLists.txt program
   [ -f "$lists" ] || { violation "$lists is missing" && return; }
-  grep -vE '^ *(#|$)' "$lists" | head -n 1 | grep -q '^cmake_minimum_required' ||
+  awk '!/^ *(#|$)/ { found = /^cmake_minimum_required/; exit } END { exit !found }' "$lists" ||
     violation "$lists does not begin with cmake_minimum_required"
   grep -qE "^project\( *${package}_$2\b" "$lists" || violation "$lists: the project is not called ${package}_$2"
   for program in $(sources "$1/$package/*.cpp"); do
