@@ -46,6 +46,21 @@ shaped_block(Shape shape, int holes, int per_unit, int layers, unsigned seed = 1
   return soup;
 }
 
+// The guide that the parameterizer uses: the dual potential and the signs of the flux.
+template <typename Mesh>
+CGAL::Volume_mesh_parameterization::Status flux_guide(const Mesh& mesh,
+                                                      CGAL::Volume_mesh_parameterization::Sweep_guide_3& guide) {
+  using namespace CGAL::Volume_mesh_parameterization;
+  Dual_potential_3<Mesh> potential(mesh);
+  Flux_field_3<Mesh> flux(mesh);
+  Status status = potential.solve();
+  if (status.ok()) status = flux.solve();
+  if (!status.ok()) return status;
+  guide = Sweep_guide_3(potential.values());
+  for (const Cell_index c : mesh.cells()) guide.signs.push_back(flux.signs(c));
+  return status;
+}
+
 // A prepared mesh with its fields and its sweep: what integral curves need. The parts refer to each other.
 template <typename Kernel>
 struct Swept_solid {

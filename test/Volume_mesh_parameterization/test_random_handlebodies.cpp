@@ -40,17 +40,6 @@ Soup random_handlebody(Random& random) {
   }
 }
 
-VMP::Status guide(const Mesh& mesh, VMP::Sweep_guide_3& result) {
-  VMP::Dual_potential_3<Mesh> potential(mesh);
-  VMP::Flux_field_3<Mesh> flux(mesh);
-  VMP::Status status = potential.solve();
-  if (status.ok()) status = flux.solve();
-  if (!status.ok()) return status;
-  result = VMP::Sweep_guide_3(potential.values());
-  for (VMP::Cell_index c : mesh.cells()) result.signs.push_back(flux.signs(c));
-  return status;
-}
-
 VMP::Status validate(const Mesh& mesh) {
   VMP::Boundary_partition_3 summary;
   VMP::Handlebody_certificate certificate;
@@ -64,7 +53,7 @@ VMP::Status certify(Mesh& mesh, VMP::Product_structure_3<Kernel>& structure) {
   VMP::Sweep_report report;
   VMP::Status status = validate(mesh);
   if (status.ok()) status = VMP::prepare_patches(mesh, counts);
-  if (status.ok()) status = VMP::sweep_with_repairs(mesh, guide, structure, report);
+  if (status.ok()) status = VMP::sweep_with_repairs(mesh, flux_guide<Mesh>, structure, report);
   return status.ok() ? VMP::verify_product(mesh, structure.order()) : status;
 }
 
