@@ -32,6 +32,8 @@ struct Sweep_guide_3 {
   /// for each facet of each cell +1 if it should be an entry, -1 if an exit: a cell all of whose wishes are met comes
   /// before any other; or empty
   std::vector<std::array<std::int8_t, 4>> signs;
+  /// the order of cells of equal potential; or empty: then by number
+  std::vector<std::uint32_t> ranks;
 };
 
 } // namespace Volume_mesh_parameterization

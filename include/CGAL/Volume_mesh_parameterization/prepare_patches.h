@@ -12,6 +12,7 @@
 
 #include <CGAL/Volume_mesh_parameterization/Compact_tetrahedral_mesh_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Splittable_mesh.h>
+#include <CGAL/Volume_mesh_parameterization/internal/geometric_order.h>
 
 #include <algorithm>
 #include <array>
@@ -108,9 +109,11 @@ private:
 
   // A split of one simplex of the list leaves the others in the mesh.
   Status split_all(std::vector<Simplex> (Patch_preparation::*find)(const Memberships&) const, std::size_t& count) {
-    const std::vector<Simplex> simplices = (this->*find)(Memberships(m_mesh));
+    std::vector<Simplex> simplices = (this->*find)(Memberships(m_mesh));
     count = simplices.size();
     if (simplices.empty()) return {};
+    // better shapes, and an order that does not depend on how the vertices are numbered
+    sort_longest_first(simplices, [this](Vertex_index v) { return approximate(m_mesh.point(v)); });
     Splittable_mesh<GeomTraits> splittable(m_mesh);
     for (const Simplex& s : simplices) {
       const Status status = splittable.insert_barycentre(s);
@@ -129,19 +132,7 @@ private:
       }
     std::sort(result.begin(), result.end());
     result.erase(std::unique(result.begin(), result.end()), result.end());
-    sort_by_decreasing_length(result);
     return result;
-  }
-
-  // The longest edges first: better shapes, and an order that does not depend on how the vertices are numbered.
-  void sort_by_decreasing_length(std::vector<Simplex>& edges) const {
-    const auto squared_length = [this](const Simplex& e) {
-      return (approximate(m_mesh.point(e[0])) - approximate(m_mesh.point(e[1]))).squared_length();
-    };
-    std::vector<std::pair<double, Simplex>> keyed;
-    for (Simplex& e : edges) keyed.emplace_back(-squared_length(e), std::move(e));
-    std::sort(keyed.begin(), keyed.end());
-    std::transform(keyed.begin(), keyed.end(), edges.begin(), [](auto& k) { return std::move(k.second); });
   }
 
   std::vector<Simplex> boundary_edges(const Memberships& patches) const {

@@ -14,8 +14,10 @@
 #include <CGAL/Volume_mesh_parameterization/Product_structure_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Refinable_order.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Sweep.h>
+#include <CGAL/Volume_mesh_parameterization/internal/geometric_order.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <utility>
 #include <vector>
@@ -49,20 +51,20 @@ public:
   Status run(std::vector<Cell_index>& order) {
     const std::size_t cells_at_first = m_mesh.number_of_cells();
     Sweep_guide_3 guide;
-    Status status = m_make_guide(m_mesh, guide);
+    Status status = make_guide(guide);
     if (!status.ok()) return status;
     order = from_floor({}, guide);
     m_report.left_at_first = m_mesh.number_of_cells() - order.size();
     if (is_complete(order) || from_ceiling(guide, order) || restart(guide.potential, order)) return {};
     while (m_report.refinements < most_refinements && m_mesh.number_of_cells() < most_growth * cells_at_first) {
       status = refine(order);
-      if (status.ok()) status = m_make_guide(m_mesh, guide);
+      if (status.ok()) status = make_guide(guide);
       if (!status.ok()) return status;
       order = from_floor(order, guide);
       if (is_complete(order)) return {};
     }
-    return {ERROR_SWEEP_STOPPED, std::to_string(m_mesh.number_of_cells() - order.size()) + " tetrahedra are left after " +
-                                     std::to_string(m_report.refinements) + " refinements, among them " +
+    return {ERROR_SWEEP_STOPPED, "after " + std::to_string(m_report.refinements) + " refinements the number of tetrahedra left is " +
+                                     std::to_string(m_mesh.number_of_cells() - order.size()) + ", among them " +
                                      std::to_string(first_left(order))};
   }
 
@@ -71,6 +73,15 @@ private:
   static constexpr std::size_t most_restarts = 60, most_refinements = 20, most_growth = 4;
   // By how much a cell that was left behind is preferred from then on; the potential runs from 0 to 1.
   static constexpr double lesson = 0.002;
+
+  // Potentials that differ by the rounding of a solver count as equal, and geometry decides.
+  Status make_guide(Sweep_guide_3& guide) const {
+    const Status status = m_make_guide(m_mesh, guide);
+    if (!status.ok()) return status;
+    for (double& p : guide.potential) p = std::round(p / rounding_share) * rounding_share;
+    guide.ranks = geometric_ranks(m_mesh);
+    return {};
+  }
 
   bool is_complete(const std::vector<Cell_index>& order) const { return order.size() == m_mesh.number_of_cells(); }
 
@@ -150,19 +161,16 @@ private:
   std::vector<Edge_numbering::Ends> edges_of_cells_left(const std::vector<Cell_index>& order) const {
     const std::vector<char> is_swept = swept_cells(order);
     const Edge_numbering numbering(m_mesh);
-    std::vector<std::pair<double, Edge_index>> edges;
+    std::vector<Edge_index> edges;
     for (Cell_index c : m_mesh.cells())
       if (!is_swept[c])
-        for (Edge_index e : numbering.edges(c)) edges.emplace_back(-squared_length(numbering.ends(e)), e);
+        for (Edge_index e : numbering.edges(c)) edges.push_back(e);
     std::sort(edges.begin(), edges.end());
     edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
     std::vector<Edge_numbering::Ends> result;
-    for (const auto& e : edges) result.push_back(numbering.ends(e.second));
+    for (Edge_index e : edges) result.push_back(numbering.ends(e));
+    sort_longest_first(result, [this](Vertex_index v) { return approximate(m_mesh.point(v)); });
     return result;
-  }
-
-  double squared_length(const Edge_numbering::Ends& ends) const {
-    return (approximate(m_mesh.point(ends[0])) - approximate(m_mesh.point(ends[1]))).squared_length();
   }
 
   Mesh& m_mesh;

@@ -192,15 +192,18 @@ private:
     Status status = cutter.cut();
     if (status.ok()) status = embed_pieces(cutter);
     if (!status.ok()) return status;
-    relax();
+    relax(ROUGHLY);
     const std::vector<Rectangle_2> aligned = align(rectangles);
-    if (aligned == rectangles) return {};
-    const std::vector<Point_2> relaxed = images;
-    const std::vector<Rectangle_2> relaxed_rectangles = rectangles;
-    cutter.set_rectangles(aligned);
-    if (embed_pieces(cutter).ok()) return relax(), Status();
-    images = relaxed;
-    rectangles = relaxed_rectangles;
+    if (aligned != rectangles) {
+      const std::vector<Point_2> relaxed = images;
+      const std::vector<Rectangle_2> relaxed_rectangles = rectangles;
+      cutter.set_rectangles(aligned);
+      if (!embed_pieces(cutter).ok()) {
+        images = relaxed;
+        rectangles = relaxed_rectangles;
+      }
+    }
+    relax(TO_MINIMUM);
     return {};
   }
 
@@ -238,10 +241,10 @@ private:
   }
 
   // Less distortion, if the result is still exactly one to one.
-  void relax() {
+  void relax(Relaxation goal) {
     std::vector<Point_2> start = images;
     std::vector<Rectangle_2> start_rectangles = rectangles;
-    relax_planar_map(surface, rims, rectangles, images);
+    relax_planar_map(goal, surface, rims, rectangles, images);
     if (check().ok()) return;
     images.swap(start);
     rectangles.swap(start_rectangles);

@@ -12,6 +12,7 @@
 
 #include <CGAL/Volume_mesh_parameterization/Error_code.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Refined_surface.h>
+#include <CGAL/Volume_mesh_parameterization/internal/geometric_order.h>
 
 #include <algorithm>
 #include <array>
@@ -46,7 +47,7 @@ struct Floor_rim {
   }
 };
 
-// The loops of the border, each with the surface on its left.
+// The loops of the border, each with the surface on its left, ordered and started by coordinates.
 inline std::vector<Floor_rim> find_rims(const Refined_surface& surface) {
   std::vector<Floor_rim> rims;
   std::vector<char> is_seen(surface.number_of_vertices(), 0);
@@ -59,6 +60,13 @@ inline std::vector<Floor_rim> find_rims(const Refined_surface& surface) {
       rims.back().loop.push_back(v);
     }
   }
+  const auto comes_before = [&](Refined_surface::Id v, Refined_surface::Id w) {
+    return internal::comes_before(v, w, [&](Refined_surface::Id u) { return surface.points()[u]; });
+  };
+  for (Floor_rim& rim : rims)
+    std::rotate(rim.loop.begin(), std::min_element(rim.loop.begin(), rim.loop.end(), comes_before), rim.loop.end());
+  std::sort(rims.begin(), rims.end(),
+            [&](const Floor_rim& a, const Floor_rim& b) { return comes_before(a.loop[0], b.loop[0]); });
   return rims;
 }
 
@@ -126,7 +134,7 @@ private:
     };
     std::size_t best = begin;
     for (std::size_t i = begin; i < end; ++i)
-      if (value(i) > value(best)) best = i;
+      if (value(i) > value(best) + rounding_share) best = i;
     return best;
   }
 

@@ -12,6 +12,7 @@
 
 #include <CGAL/Volume_mesh_parameterization/internal/Floor_rim.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Refined_surface.h>
+#include <CGAL/Volume_mesh_parameterization/internal/geometric_order.h>
 #include <CGAL/Volume_mesh_parameterization/internal/tutte_embedding.h>
 
 #include <CGAL/number_utils.h>
@@ -119,7 +120,8 @@ private:
       xy += (p.x() - x) * (p.y() - y);
       yy += (p.y() - y) * (p.y() - y);
     }
-    return std::atan2(2 * xy, xx - yy) / 2;
+    const bool is_round = std::hypot(2 * xy, xx - yy) <= rounding_share * (xx + yy);
+    return is_round ? 0 : std::atan2(2 * xy, xx - yy) / 2;
   }
 
   double axis_of_box(const std::vector<Point_2>& positions) const {
@@ -128,7 +130,7 @@ private:
     for (int k = 0; k < directions; ++k) {
       const double angle = CGAL_PI * k / directions;
       const double width = extent(positions, angle), height = extent(positions, angle + CGAL_PI / 2);
-      if (width < height || width * height >= least_area) continue;
+      if (width < (1 - rounding_share) * height || width * height >= (1 - rounding_share) * least_area) continue;
       least_area = width * height;
       best = angle;
     }
@@ -162,10 +164,11 @@ private:
     return CGAL::cross_product(p[t[1]] - p[t[0]], p[t[2]] - p[t[0]]) / 2;
   }
 
+  // of a vector of length 1
   static Vector_3 least_axis(const Vector_3& v) {
     const double x = CGAL::abs(v.x()), y = CGAL::abs(v.y()), z = CGAL::abs(v.z());
-    if (x <= y && x <= z) return Vector_3(1, 0, 0);
-    return y <= z ? Vector_3(0, 1, 0) : Vector_3(0, 0, 1);
+    if (x <= y + rounding_share && x <= z + rounding_share) return Vector_3(1, 0, 0);
+    return y <= z + rounding_share ? Vector_3(0, 1, 0) : Vector_3(0, 0, 1);
   }
 
   const Refined_surface& m_surface;

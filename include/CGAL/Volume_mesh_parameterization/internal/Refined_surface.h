@@ -12,6 +12,7 @@
 
 #include <CGAL/Volume_mesh_parameterization/Compact_tetrahedral_mesh_3.h>
 #include <CGAL/Volume_mesh_parameterization/indices.h>
+#include <CGAL/Volume_mesh_parameterization/internal/geometric_order.h>
 
 #include <CGAL/squared_distance_3.h>
 
@@ -146,10 +147,14 @@ public:
 
   // Bisects every edge that is not cut and joins two cut vertices. Then no triangle is squeezed flat when the cuts
   // become straight, and the vertices off the cuts are connected within each piece, so that the next path exists.
-  // One scan is enough: what lies behind it keeps its edges, and no edge at a midpoint is a chord.
+  // One scan is enough: no edge at a midpoint is a chord.
   void split_chords() {
+    std::vector<std::array<Id, 2>> chords;
     for (Id h = 0; h < number_of_half_edges(); ++h)
-      if (!m_is_cut[h] && is_on_cut(source(h)) && is_on_cut(target(h))) bisect(h);
+      if (!m_is_cut[h] && h < m_opposite[h] && is_on_cut(source(h)) && is_on_cut(target(h)))
+        chords.push_back({source(h), target(h)});
+    sort_longest_first(chords, [this](Id v) { return m_points[v]; });
+    for (const auto& [v, w] : chords) bisect(half_edge(v, w));
   }
 
 private:

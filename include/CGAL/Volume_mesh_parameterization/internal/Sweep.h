@@ -64,14 +64,16 @@ public:
   // Sweeps whatever can be swept: first cells that are entered and left as they wish, and among those the one of least
   // potential. A cell is queued again whenever something around it changes; what is out of date is skipped.
   void run(const Sweep_guide_3& guide) {
-    using Entry = std::tuple<bool, double, Cell_index>;
+    using Entry = std::tuple<bool, double, std::uint32_t, Cell_index>;
     std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue;
     const auto push_if_free = [&](Cell_index c) {
-      if (!m_swept[c] && is_free(c)) queue.push({!is_entered_as_wished(c, guide), m_upwards * guide.potential[c], c});
+      if (m_swept[c] || !is_free(c)) return;
+      const std::uint32_t rank = guide.ranks.empty() ? 0 : guide.ranks[c];
+      queue.push({!is_entered_as_wished(c, guide), m_upwards * guide.potential[c], rank, c});
     };
     for (Cell_index c : m_mesh.cells()) push_if_free(c);
     while (!queue.empty()) {
-      const auto [against_wish, value, c] = queue.top();
+      const auto [against_wish, value, rank, c] = queue.top();
       queue.pop();
       if (m_swept[c] || against_wish == is_entered_as_wished(c, guide) || !is_free(c)) continue;
       sweep(c);

@@ -27,6 +27,10 @@ namespace CGAL {
 namespace Volume_mesh_parameterization {
 namespace internal {
 
+// How far to go: until little is to be gained, or to the minimum up to rounding. The minimum does not depend on how the
+// vertices are numbered.
+enum Relaxation { ROUGHLY, TO_MINIMUM };
+
 /*
 Lessens the symmetric Dirichlet energy of a planar map of the floor (the area integral of |J|^2 + |J^-1|^2, infinite
 where a triangle turns over) by Newton's method with the Hessian made positive as in B. Smith, F. de Goes, T. Kim,
@@ -50,15 +54,14 @@ public:
     for (const auto& t : surface.triangles()) m_rest_shapes.push_back(rest_shape(t));
   }
 
-  void run() {
-    constexpr int most_steps = 150; // about 20 are usual
-    constexpr double least_gain = 1e-3; // of the energy, in one step
+  void run(Relaxation goal) {
+    constexpr int most_steps = 150; // about 15 are usual
+    const int most_near_steps = goal == ROUGHLY ? 0 : 20; // up to 10 are usual
+    int near_steps = 0;
     Eigen::VectorXd x = Eigen::Map<const Eigen::VectorXd>(m_values.data(), Eigen::Index(m_values.size()));
-    double old_energy = std::numeric_limits<double>::infinity(), new_energy = energy(x);
-    for (int i = 0; i < most_steps && new_energy < (1 - least_gain) * old_energy; ++i) {
-      old_energy = new_energy;
-      new_energy = step(old_energy, x);
-    }
+    double value = energy(x);
+    for (int i = 0; i < most_steps && near_steps <= most_near_steps && step(value, x); ++i)
+      near_steps += m_is_near;
     Eigen::Map<Eigen::VectorXd>(m_values.data(), x.size()) = x;
   }
 
@@ -71,6 +74,8 @@ public:
 
 private:
   static constexpr Eigen::Index unset = -1;
+  static constexpr double at_rounding = 1e-14; // differences of the energy, relative, that tell nothing
+  enum Hessian_type { TRUE_HESSIAN, POSITIVE_HESSIAN };
 
   // A triangle at rest: its area, and the gradients of its barycentric coordinates.
   struct Rest_shape {
@@ -162,11 +167,25 @@ private:
     return sum;
   }
 
-  // One Newton step with halving; returns the energy reached.
-  double step(double old_energy, Eigen::VectorXd& x) {
-    Eigen::VectorXd gradient = Eigen::VectorXd::Zero(x.size());
+  // One Newton step; returns false at the minimum, or if there is no way down.
+  bool step(double& value, Eigen::VectorXd& x) {
+    constexpr double near = 1e-3; // the energy to gain, relative
+    Eigen::VectorXd gradient, direction;
+    // the true Hessian converges quadratically, but only near the minimum it is sure to be positive
+    const bool has_direction = (m_is_near && find_direction(TRUE_HESSIAN, x, gradient, direction)) ||
+                               find_direction(POSITIVE_HESSIAN, x, gradient, direction);
+    if (!has_direction) return false;
+    const double slope = gradient.dot(direction);
+    m_is_near = -slope < near * value;
+    return descend(direction, slope, value, x) && -slope > at_rounding * value;
+  }
+
+  // The minimum of the quadratic model; false if the model has none.
+  bool find_direction(Hessian_type type, const Eigen::VectorXd& x, Eigen::VectorXd& gradient,
+                      Eigen::VectorXd& direction) {
+    gradient = Eigen::VectorXd::Zero(x.size());
     std::vector<Eigen::Triplet<double>> entries;
-    for (std::size_t t = 0; t < m_rest_shapes.size(); ++t) add_triangle(t, x, gradient, entries);
+    for (std::size_t t = 0; t < m_rest_shapes.size(); ++t) add_triangle(t, type, x, gradient, entries);
     for (const Spring& spring : m_springs) add_spring_forces(spring, x, gradient, entries);
     for (Eigen::Index fixed : {0, 1}) fix(fixed, gradient, entries); // a map may be shifted
     Eigen::SparseMatrix<double> hessian(x.size(), x.size());
@@ -174,18 +193,24 @@ private:
     if (!m_is_analyzed) m_solver.analyzePattern(hessian);
     m_is_analyzed = true;
     m_solver.factorize(hessian);
-    if (m_solver.info() != Eigen::Success) return old_energy;
-    const Eigen::VectorXd direction = m_solver.solve(-gradient);
-    const double slope = gradient.dot(direction);
+    if (m_solver.info() != Eigen::Success) return false;
+    if (type == TRUE_HESSIAN && !(m_solver.vectorD().minCoeff() > 0)) return false;
+    direction = m_solver.solve(-gradient);
+    return true;
+  }
+
+  // Moves x by at most the whole direction to a point of sufficiently less energy.
+  bool descend(const Eigen::VectorXd& direction, double slope, double& value, Eigen::VectorXd& x) const {
     constexpr double sufficient = 1e-4, least_step = 1e-10;
     for (double s = 1; s > least_step && slope < 0; s /= 2) {
       const Eigen::VectorXd y = x + s * direction;
       const double e = energy(y);
-      if (!(e <= old_energy + sufficient * s * slope)) continue;
+      if (!(e <= value + sufficient * s * slope + at_rounding * value)) continue;
       x = y;
-      return e;
+      value = e;
+      return true;
     }
-    return old_energy;
+    return false;
   }
 
   static void fix(Eigen::Index fixed, Eigen::VectorXd& gradient,
@@ -211,17 +236,18 @@ private:
 
   // With J = U diag(a, b) V^T and f(s) = s^2 + s^-2, the eigenvectors of the Hessian are two stretches, a turn and a
   // shear.
-  void add_triangle(std::size_t t, const Eigen::VectorXd& x, Eigen::VectorXd& gradient,
+  void add_triangle(std::size_t t, Hessian_type type, const Eigen::VectorXd& x, Eigen::VectorXd& gradient,
                     std::vector<Eigen::Triplet<double>>& entries) const {
     const Eigen::JacobiSVD<Eigen::Matrix2d> svd(jacobian(t, x), Eigen::ComputeFullU | Eigen::ComputeFullV);
     const Eigen::Matrix2d u = svd.matrixU(), v = svd.matrixV().transpose();
     const double a = svd.singularValues()[0], b = svd.singularValues()[1], ab = a * b;
     const double da = 2 * a - 2 / (a * a * a), db = 2 * b - 2 / (b * b * b), r = std::sqrt(0.5);
+    const double turn = (da + db) / (a + b); // the only eigenvalue that may be negative
     const std::array<Eigen::Matrix2d, 4> modes = {u.col(0) * v.row(0), u.col(1) * v.row(1),
                                                   r * (u.col(1) * v.row(0) - u.col(0) * v.row(1)),
                                                   r * (u.col(1) * v.row(0) + u.col(0) * v.row(1))};
     const std::array<double, 4> values = {2 + 6 / (a * a * a * a), 2 + 6 / (b * b * b * b),
-                                          (std::max)(0., (da + db) / (a + b)),
+                                          type == TRUE_HESSIAN ? turn : (std::max)(0., turn),
                                           2 + 2 * (a * a + ab + b * b) / (ab * ab * ab)};
     const Rest_shape& rest = m_rest_shapes[t];
     const Eigen::Matrix2d stress = da * modes[0] + db * modes[1];
@@ -256,15 +282,15 @@ private:
   std::vector<Spring> m_springs;
   std::vector<Rest_shape> m_rest_shapes;
   Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> m_solver;
-  bool m_is_analyzed = false;
+  bool m_is_analyzed = false, m_is_near = false;
 };
 
 // Lessens the distortion of images; the rectangles follow.
-inline void relax_planar_map(const Refined_surface& surface, const std::vector<Floor_rim>& rims,
+inline void relax_planar_map(Relaxation goal, const Refined_surface& surface, const std::vector<Floor_rim>& rims,
                              std::vector<Rectangle_2>& rectangles,
                              std::vector<Double_kernel::Point_2>& images) {
   Planar_map_relaxation relaxation(surface, rims, rectangles, images);
-  relaxation.run();
+  relaxation.run(goal);
   for (Refined_surface::Id v = 0; v < images.size(); ++v) images[v] = relaxation.image(v);
   for (std::size_t r = 0; r < rectangles.size(); ++r) rectangles[r] = relaxation.rectangle(r);
 }

@@ -11,9 +11,9 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/internal/Refined_surface.h>
+#include <CGAL/Volume_mesh_parameterization/internal/geometric_order.h>
 
 #include <algorithm>
-#include <functional>
 #include <limits>
 #include <queue>
 #include <utility>
@@ -24,7 +24,8 @@ namespace Volume_mesh_parameterization {
 namespace internal {
 
 // Dijkstra's algorithm in O(n log n): the shortest path along edges from one of the sources to one of the targets whose
-// inner vertices, at least one, are off the cuts. Empty if there is none.
+// inner vertices, at least one, are off the cuts. Empty if there is none. Of equally short paths it takes the one whose
+// last vertices come first by coordinates.
 inline std::vector<Refined_surface::Id> shortest_path(const Refined_surface& surface,
                                                       const std::vector<Refined_surface::Id>& sources,
                                                       const std::vector<Refined_surface::Id>& targets) {
@@ -34,7 +35,13 @@ inline std::vector<Refined_surface::Id> shortest_path(const Refined_surface& sur
   std::vector<Id> before(surface.number_of_vertices(), Refined_surface::none);
   std::vector<char> is_target(surface.number_of_vertices(), 0);
   for (Id v : targets) is_target[v] = 1;
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue;
+  const auto comes_before = [&](Id v, Id w) {
+    return internal::comes_before(v, w, [&](Id u) { return surface.points()[u]; });
+  };
+  const auto is_later = [&](const Entry& a, const Entry& b) {
+    return a.first != b.first ? a.first > b.first : comes_before(b.second, a.second);
+  };
+  std::priority_queue<Entry, std::vector<Entry>, decltype(is_later)> queue(is_later);
   for (Id v : sources) queue.push({distance[v] = 0, v});
   while (!queue.empty()) {
     const Entry entry = queue.top();
@@ -50,10 +57,14 @@ inline std::vector<Refined_surface::Id> shortest_path(const Refined_surface& sur
     surface.for_each_neighbor(v, [&](Id w) {
       const bool may_enter = !surface.is_on_cut(w) || (is_target[w] && !surface.is_on_cut(v));
       const double d = entry.first + surface.length(v, w);
-      if (!may_enter || d >= distance[w]) return;
+      const bool is_shorter = d < distance[w];
+      // never along an edge so short that it adds nothing: the path must not close up
+      const bool is_equal = d == distance[w] && entry.first < d && before[w] != Refined_surface::none &&
+                            comes_before(v, before[w]);
+      if (!may_enter || !(is_shorter || is_equal)) return;
       distance[w] = d;
       before[w] = v;
-      queue.push({d, w});
+      if (is_shorter) queue.push({d, w});
     });
   }
   return {};
