@@ -12,7 +12,7 @@ using VMP::Status;
 bool Result_folder::has(const char* name) const { return std::filesystem::exists(file(name)); }
 
 Status Result_folder::create(const std::string& input) const {
-  constexpr const char* names[] = {object, order, parameter, hexahedra, result, curves, report};
+  constexpr const char* names[] = {object, order, domain, domain_order, parameter, hexahedra, result, curves, report};
   std::error_code error;
   for (const char* name : names)
     if (std::filesystem::equivalent(file(name), input, error))
@@ -33,20 +33,20 @@ Status Result_folder::write_text(const char* name, const std::string& text) cons
   });
 }
 
-Status Result_folder::write_order(const std::vector<VMP::Cell_index>& cells) const {
+Status Result_folder::write_order(const char* name, const std::vector<VMP::Cell_index>& cells) const {
   std::string text;
   for (VMP::Cell_index c : cells) text += std::to_string(c) + '\n';
-  return write_text(order, text);
+  return write_text(name, text);
 }
 
-Status Result_folder::read_order(std::vector<VMP::Cell_index>& cells) const {
-  std::ifstream in(file(order));
-  if (!in) return {VMP::ERROR_CANNOT_READ_FILE, file(order)};
+Status Result_folder::read_order(const char* name, std::vector<VMP::Cell_index>& cells) const {
+  std::ifstream in(file(name));
+  if (!in) return {VMP::ERROR_CANNOT_READ_FILE, file(name)};
   cells.clear();
   for (long c; in >> c;) {
     if (c < 0 || c >= std::numeric_limits<std::uint32_t>::max())
-      return {VMP::ERROR_INDEX_OUT_OF_RANGE, file(order) + ": line " + std::to_string(cells.size() + 1)};
+      return {VMP::ERROR_INDEX_OUT_OF_RANGE, file(name) + ": line " + std::to_string(cells.size() + 1)};
     cells.emplace_back(c);
   }
-  return in.eof() ? Status() : Status(VMP::ERROR_WRONG_FORMAT, file(order) + ": line " + std::to_string(cells.size() + 1));
+  return in.eof() ? Status() : Status(VMP::ERROR_WRONG_FORMAT, file(name) + ": line " + std::to_string(cells.size() + 1));
 }

@@ -20,13 +20,15 @@ public:
   CGAL::Volume_mesh_parameterization::Status create(const std::string& input) const;
 
   CGAL::Volume_mesh_parameterization::Status
-  write_order(const std::vector<CGAL::Volume_mesh_parameterization::Cell_index>& order) const;
+  write_order(const char* name, const std::vector<CGAL::Volume_mesh_parameterization::Cell_index>& order) const;
   CGAL::Volume_mesh_parameterization::Status
-  read_order(std::vector<CGAL::Volume_mesh_parameterization::Cell_index>& order) const;
+  read_order(const char* name, std::vector<CGAL::Volume_mesh_parameterization::Cell_index>& order) const;
   CGAL::Volume_mesh_parameterization::Status write_text(const char* name, const std::string& text) const;
 
   static constexpr const char* object = "object.mesh";
   static constexpr const char* order = "order.txt";
+  static constexpr const char* domain = "domain.mesh";            // of a given polycube
+  static constexpr const char* domain_order = "domain_order.txt"; // its product certificate
   static constexpr const char* parameter = "parameter.mesh";
   static constexpr const char* hexahedra = "hex.mesh";
   static constexpr const char* result = "result.vtu";

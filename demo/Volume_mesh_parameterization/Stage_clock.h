@@ -9,7 +9,7 @@
 #include <unistd.h>
 #include <vector>
 
-// Measures CPU seconds and resident bytes of each stage, and says on a terminal which one runs.
+// Measures CPU seconds (of all threads) and resident bytes of each stage, and says on a terminal which one runs.
 class Stage_clock {
 public:
   struct Stage {
@@ -47,8 +47,9 @@ private:
 // Passes the stages of the library on to the clock.
 struct Clock_visitor {
   Stage_clock* clock;
+  std::string prefix; // of the names
   bool start_stage(const char* name) {
-    clock->start(name);
+    clock->start(prefix + name);
     return true;
   }
 };

@@ -1,9 +1,13 @@
 #ifndef HANDLEBODY_COMMANDS_H
 #define HANDLEBODY_COMMANDS_H
 
+#include "threads.h"
+
 #include <array>
 #include <optional>
 #include <string>
+
+constexpr const char* handlebody_version = "0.1.0";
 
 enum Exit_code {
   EVERYTHING_CERTIFIED = 0,
@@ -24,9 +28,13 @@ struct Input_options {
 struct Parameterize_options {
   Input_options input;
   std::string folder;
+  std::string domain;       // the file of a given polycube, or empty
+  std::string boundary_map; // the file with the images of the vertices of the input in its boundary, or empty
   Field field = Field::CERTIFIED;
   std::string solver = "cg";
   std::size_t number_of_hexahedra = 0;
+  bool has_pillow = false; // a layer of hexahedra along the boundary
+  std::size_t threads = Thread_limit::default_number();
   bool quiet = false;
 };
 

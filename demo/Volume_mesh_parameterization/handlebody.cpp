@@ -25,24 +25,42 @@ void add_input(CLI::App& command, Input_options& options) {
 void add_parameterize(CLI::App& command, Parameterize_options& options) {
   add_input(command, options.input);
   command.add_option("-o,--output", options.folder, "the folder for the result")->required();
-  command.add_option("--partition", options.input.partition, "where floor, ceiling and walls come from; default: labels if INPUT has them and there is no --direction, else auto")
+  CLI::Option* partition = command.add_option("--partition", options.input.partition, "where floor, ceiling and walls come from; default: labels if INPUT has them and there is no --direction, else auto")
       ->check(CLI::IsMember({"auto", "labels"}));
-  command.add_option("--direction", options.input.direction, "from the floor to the ceiling, as X,Y,Z")->delimiter(',');
+  command.add_option("--direction", options.input.direction, "from the floor to the ceiling, as X,Y,Z; with --domain: those of POLYCUBE")
+      ->delimiter(',');
   const std::map<std::string, Field> fields = {
       {"certified", Field::CERTIFIED}, {"flux", Field::FLUX}, {"paper", Field::PAPER}};
   command.add_option("--field", options.field, "the curves: certified (default), of the flux itself, or also the paper's averaged gradient for comparison")
       ->transform(CLI::CheckedTransformer(fields).description("{certified,flux,paper}"));
-  command.add_option("--hexes", options.number_of_hexahedra, "also a hexahedral mesh of about so many cells; 0: none")
+  CLI::Option* hexes = command.add_option("--hexes", options.number_of_hexahedra, "also a hexahedral mesh of about so many cells; 0: none")
       ->check(CLI::Range(0., most_cells).description("up to 1e7"))
       ->capture_default_str();
+  command.add_flag("--pillow", options.has_pillow, "with --hexes: a layer of hexahedra along the boundary, for good corners where it is smooth");
+  command.callback([&options] {
+    if (options.has_pillow && options.number_of_hexahedra == 0) throw CLI::RequiresError("--pillow", "--hexes");
+  });
+  CLI::Option* domain = command.add_option("--domain", options.domain, "a given polycube instead of a prism that fits: a closed surface or tetrahedra, with or without labels")
+      ->type_name("POLYCUBE")
+      ->excludes(partition)
+      ->excludes(hexes);
+  CLI::Option* boundary_map = command.add_option("--boundary-map", options.boundary_map, "a file like INPUT whose points are the images of the vertices of INPUT; those on the boundary count")
+      ->type_name("FILE")
+      ->needs(domain);
+  domain->needs(boundary_map);
   command.add_option("--solver", options.solver, "for the linear systems")
       ->check(CLI::IsMember(Chosen_solver_traits::names()))
+      ->capture_default_str();
+  command.add_option("--threads", options.threads, "how many threads at most; the result does not depend on it")
+      ->check(CLI::Range(std::size_t(1), Thread_limit::most).description("up to 1024"))
+      ->check(CLI::Validator([](std::string& number) { return Thread_limit::refusal(number); }, ""))
       ->capture_default_str();
   add_quiet(command, options.quiet);
 }
 
 int run(int argc, char** argv) {
   CLI::App app("Maps handlebodies one to one onto prisms, and meshes them by hexahedra.", "handlebody");
+  app.set_version_flag("--version", handlebody_version);
   app.require_subcommand(1);
   bool quiet = false;
 

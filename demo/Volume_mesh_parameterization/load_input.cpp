@@ -7,6 +7,7 @@
 #include <CGAL/Volume_mesh_parameterization/check_surface.h>
 #include <CGAL/Volume_mesh_parameterization/check_tetrahedral_mesh.h>
 #include <CGAL/Volume_mesh_parameterization/partition_and_tetrahedralize.h>
+#include <CGAL/Volume_mesh_parameterization/tetrahedralize.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -80,6 +81,26 @@ Status read_tetrahedra(const std::string& file, Mesh& mesh) {
   VMP::orient_cells(soup);
   status = mesh.assign(soup);
   return status.ok() ? VMP::check_tetrahedral_mesh(mesh) : status;
+}
+
+Status read_points(const std::string& file, std::vector<Point_3>& points) {
+  Surface surface;
+  Soup soup;
+  const Status status = is_surface_file(file) ? VMP::IO::read_surface(file, surface) : read_soup(file, soup);
+  points = is_surface_file(file) ? std::move(surface.points) : std::move(soup.points);
+  return status;
+}
+
+Status load_unlabelled(const Input_options& options, Stage_clock& clock, Input& input) {
+  clock.start("read, check and tetrahedralize");
+  input.is_surface = is_surface_file(options.file);
+  Surface surface;
+  Soup soup;
+  Status status = input.is_surface ? read_surface(options.file, surface) : read_tetrahedra(options.file, input.mesh);
+  if (status.ok() && input.is_surface) status = VMP::tetrahedralize(surface, soup, options.number_of_tetrahedra);
+  if (status.ok() && input.is_surface) status = input.mesh.assign(soup);
+  input.number_of_points = input.is_surface ? surface.points.size() : input.mesh.number_of_vertices();
+  return status;
 }
 
 Status load_input(const Input_options& options, Stage_clock& clock, Input& input) {

@@ -11,6 +11,7 @@
 // A tetrahedral mesh with a labelled boundary, and how it came about.
 struct Input {
   Mesh mesh;
+  std::size_t number_of_points = 0; // in the file, as far as they are used
   bool is_surface = false;
   bool has_labels = false;                               // given in the file
   VMP::Sweep_direction_3 direction = CGAL::NULL_VECTOR; // of the automatic partition
@@ -19,6 +20,12 @@ struct Input {
 bool is_surface_file(const std::string& file);
 VMP::Status read_surface(const std::string& file, VMP::Triangle_soup_3<Point_3>& surface);
 VMP::Status read_tetrahedra(const std::string& file, Mesh& mesh);
+
+// Reads and checks the file, and tetrahedralizes a surface; there are no labels, or those that tell triangles apart.
+VMP::Status load_unlabelled(const Input_options& options, Stage_clock& clock, Input& input);
+
+// Reads the points of a mesh or surface.
+VMP::Status read_points(const std::string& file, std::vector<Point_3>& points);
 
 // Reads and checks the file, chooses the labels unless they are given, and tetrahedralizes a surface.
 VMP::Status load_input(const Input_options& options, Stage_clock& clock, Input& input);

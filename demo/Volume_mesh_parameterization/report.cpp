@@ -1,4 +1,5 @@
 #include "report.h"
+#include "commands.h"
 
 #include <CGAL/Volume_mesh_parameterization/Weighted_statistics.h>
 #include <CGAL/version.h>
@@ -64,7 +65,7 @@ Json report_sweep(const VMP::Sweep_report& report) {
           {"bisected_edges", report.bisected_edges}};
 }
 
-Json report_maximum_principle(const Parameterizer::Harmonic_function& f) {
+Json report_maximum_principle(const Product::Harmonic_function& f) {
   Json violations = Json::array();
   for (VMP::Vertex_index v : f.maximum_principle_violations()) violations.push_back({{"vertex", std::size_t(v)}, {"f", f(v)}});
   return {{"share_of_negative_weights", f.share_of_negative_weights()}, {"violations", violations}};
@@ -83,18 +84,29 @@ Json report_critical_points(const Mesh& mesh, const std::vector<VMP::Critical_ve
   return list;
 }
 
-Json report_angles(const Parameterizer& parameterizer, const std::vector<double>& angles_of_curves) {
-  const Mesh& mesh = parameterizer.mesh();
+Json report_irregular_edges(const Mesh& mesh, const std::vector<VMP::Irregular_edge>& edges) {
+  Json list = Json::array();
+  for (const VMP::Irregular_edge& e : edges) {
+    const Point_3 q = CGAL::midpoint(mesh.point(e.vertices[0]), mesh.point(e.vertices[1]));
+    list.push_back({{"vertices", {std::size_t(e.vertices[0]), std::size_t(e.vertices[1])}},
+                    {"sign_changes", e.sign_changes},
+                    {"middle", {q.x(), q.y(), q.z()}}});
+  }
+  return list;
+}
+
+Json report_angles(const Product& product, const std::vector<double>& angles_of_curves) {
+  const Mesh& mesh = product.mesh();
   const std::vector<double> volumes = VMP::measure_volumes(mesh, mesh.points());
-  const auto& field = *parameterizer.curve_field();
-  const auto& flux = *parameterizer.flux_field();
+  const auto& field = *product.curve_field();
+  const auto& flux = *product.flux_field();
   const std::vector<double> angles_of_flux =
-      angles_to_gradient(parameterizer, [&](VMP::Cell_index c) { return flux.vector(c); });
+      angles_to_gradient(product, [&](VMP::Cell_index c) { return flux.vector(c); });
   Json json = {{"curves_to_gradient", report_statistics({angles_of_curves, volumes})},
                {"flux_to_gradient", report_statistics({angles_of_flux, volumes})}};
   json["share_of_volume_where_w_follows_f"] =
       share_of_volume(mesh, volumes, [&](VMP::Cell_index c) { return field.follows_harmonic_level(c); });
-  if (const auto* structure = parameterizer.product_structure())
+  if (const auto* structure = product.product_structure())
     json["share_of_volume_where_flux_obeys_the_sweep"] =
         share_of_volume(mesh, volumes, [&](VMP::Cell_index c) { return flux.signs(c) == structure->signs(c); });
   return json;
@@ -106,6 +118,12 @@ Json report_domain(const VMP::Prism_3<Kernel>& domain) {
   return {{"rectangle", report_rectangle(domain.outer())}, {"holes", holes}, {"height", domain.height()}};
 }
 
+Json report_domain(const Polycube& domain) {
+  return {{"tetrahedra", domain.mesh().number_of_cells()},
+          {"partition", report_partition(domain.product().partition())},
+          {"sweep", report_sweep(domain.product().sweep_report())}};
+}
+
 Json report_distortion(const VMP::Distortion_report& report) {
   return {{"scale", report.scale},
           {"greatest_singular_value", report_statistics(report.greatest_singular_value)},
@@ -114,8 +132,9 @@ Json report_distortion(const VMP::Distortion_report& report) {
           {"symmetric_dirichlet_energy", report_statistics(report.symmetric_dirichlet_energy)}};
 }
 
-Json report_hexahedra(const VMP::Hexahedra_report& report, std::size_t number) {
+Json report_hexahedra(const VMP::Hexahedra_report& report, std::size_t number, bool has_pillow) {
   return {{"number", number},
+          {"pillow", has_pillow},
           {"valid", report.is_valid()},
           {"inverted", report.inverted},
           {"below_0.2", report.poor},
@@ -128,7 +147,7 @@ Json report_hexahedra(const VMP::Hexahedra_report& report, std::size_t number) {
 }
 
 Json report_versions() {
-  return {{"handlebody", "0.1.0"},
+  return {{"handlebody", handlebody_version},
           {"CGAL", CGAL_VERSION_STR},
           {"Boost", BOOST_LIB_VERSION},
           {"Eigen", std::to_string(EIGEN_WORLD_VERSION) + "." + std::to_string(EIGEN_MAJOR_VERSION) + "." +

@@ -18,21 +18,23 @@ Json report_status(const VMP::Status& status);
 Json report_stages(const Stage_clock& clock);
 Json report_partition(const VMP::Boundary_partition_3& partition);
 Json report_sweep(const VMP::Sweep_report& report);
-Json report_maximum_principle(const Parameterizer::Harmonic_function& f);
+Json report_maximum_principle(const Product::Harmonic_function& f);
 Json report_critical_points(const Mesh& mesh, const std::vector<VMP::Critical_vertex>& points);
-Json report_angles(const Parameterizer& parameterizer, const std::vector<double>& angles_of_curves);
+Json report_irregular_edges(const Mesh& mesh, const std::vector<VMP::Irregular_edge>& edges);
+Json report_angles(const Product& product, const std::vector<double>& angles_of_curves);
 Json report_domain(const VMP::Prism_3<Kernel>& domain);
+Json report_domain(const Polycube& domain);
 Json report_distortion(const VMP::Distortion_report& report);
-Json report_hexahedra(const VMP::Hexahedra_report& report, std::size_t number);
+Json report_hexahedra(const VMP::Hexahedra_report& report, std::size_t number, bool has_pillow);
 Json report_versions();
 
 // The angle in degrees between grad f and a vector of each cell.
 template <typename Vector_of_cell>
-std::vector<double> angles_to_gradient(const Parameterizer& parameterizer, Vector_of_cell vector_of_cell) {
+std::vector<double> angles_to_gradient(const Product& product, Vector_of_cell vector_of_cell) {
   std::vector<CGAL::Simple_cartesian<double>::Vector_3> vectors, gradients;
-  for (VMP::Cell_index c : parameterizer.mesh().cells()) {
+  for (VMP::Cell_index c : product.mesh().cells()) {
     vectors.push_back(vector_of_cell(c));
-    gradients.push_back(parameterizer.harmonic_function()->gradient(c));
+    gradients.push_back(product.harmonic_function()->gradient(c));
   }
   return VMP::measure_angles(vectors, gradients);
 }

@@ -8,18 +8,7 @@ using VMP::Status;
 
 namespace {
 
-// Floor points over a grid of the domain, so that rims and corners have their curves too.
-std::vector<Kernel::Point_2> grid_points(const VMP::Prism_3<Kernel>& domain) {
-  constexpr std::size_t number_of_cells = 120;
-  const VMP::Prism_grid grid = VMP::prism_grid_of_size(domain, number_of_cells);
-  std::vector<Kernel::Point_2> points;
-  for (double x : grid.x)
-    for (double y : grid.y)
-      if (domain.bounded_side(Kernel::Point_2(x, y)) != CGAL::ON_UNBOUNDED_SIDE) points.emplace_back(x, y);
-  return points;
-}
-
-// Polylines with the level w at each point, in the solid or in the prism.
+// Polylines with the level w at each point, in the solid or in the domain.
 struct Curve_collection {
   std::vector<std::vector<Point_3>> polylines;
   std::vector<double> levels;
@@ -31,27 +20,70 @@ struct Curve_collection {
     curves.push_back(curve);
     domains.push_back(domain);
   }
+
+  void add(int curve, int domain, const Mesh& mesh, const VMP::Integral_curve_3<Kernel>& polyline) {
+    std::vector<Point_3> points = {polyline.segments().front().begin.point(mesh)};
+    std::vector<double> levels_of_points = {0};
+    for (const auto& s : polyline.segments()) {
+      points.push_back(s.end.point(mesh));
+      levels_of_points.push_back(s.level / polyline.total_level());
+    }
+    add(curve, domain, points, levels_of_points);
+  }
 };
 
-Status add_curve(const Parameterizer::Product_map& map, const Kernel::Point_2& q, int number, Curve_collection& collection) {
-  VMP::Base_point_3<Kernel> start;
-  VMP::Integral_curve_3<Kernel> curve;
-  Status status = map.floor_map().preimage(q, start);
-  if (status.ok()) status = map.curves().trace_curve(start, curve);
-  if (!status.ok()) return status;
-  const Mesh& mesh = map.curves().mesh();
-  std::vector<Point_3> points = {curve.segments().front().begin.point(mesh)};
-  std::vector<double> levels = {0};
-  for (const auto& s : curve.segments()) {
-    points.push_back(s.end.point(mesh));
-    levels.push_back(s.level / curve.total_level());
+constexpr std::size_t about_curves = 120;
+
+// Floor points over a grid of the domain, so that rims and corners have their curves too.
+std::vector<Kernel::Point_2> some_feet(const VMP::Prism_3<Kernel>& domain) {
+  const VMP::Prism_grid grid = VMP::prism_grid_of_size(domain, about_curves);
+  std::vector<Kernel::Point_2> points;
+  for (double x : grid.x)
+    for (double y : grid.y)
+      if (domain.bounded_side(Kernel::Point_2(x, y)) != CGAL::ON_UNBOUNDED_SIDE) points.emplace_back(x, y);
+  return points;
+}
+
+// The middles of some triangles of the floor, and vertices on its rim.
+std::vector<VMP::Base_point_3<Kernel>> some_feet(const Polycube& domain) {
+  std::vector<VMP::Base_point_3<Kernel>> all, some;
+  for (VMP::Facet_index f : domain.mesh().boundary_facets()) {
+    if (domain.mesh().label(f) != VMP::FLOOR) continue;
+    all.push_back({f, {1. / 3, 1. / 3, 1. / 3}});
+    all.push_back({f, {1, 0, 0}});
   }
-  collection.add(number, 0, points, levels);
-  collection.add(number, 1, {Point_3(q.x(), q.y(), 0), Point_3(q.x(), q.y(), map.floor_map().domain().height())}, {0, 1});
+  for (std::size_t k = 0; k < all.size(); k += 1 + all.size() / about_curves) some.push_back(all[k]);
+  return some;
+}
+
+Status add_image(const VMP::Prism_3<Kernel>& domain, const Kernel::Point_2& foot, int number, Curve_collection& curves) {
+  curves.add(number, 1, {Point_3(foot.x(), foot.y(), 0), Point_3(foot.x(), foot.y(), domain.height())}, {0, 1});
   return {};
 }
 
-// Values of cells, followed by zeros for the facets and the marked vertices of the file.
+Status add_image(const Polycube& domain, const VMP::Base_point_3<Kernel>& foot, int number, Curve_collection& curves) {
+  VMP::Integral_curve_3<Kernel> curve;
+  const Status status = domain.curve_over(foot, curve);
+  if (status.ok()) curves.add(number, 1, domain.mesh(), curve);
+  return status;
+}
+
+template <typename FloorMap>
+Status write_some_curves(const Result_folder& folder, const VMP::Product_map_3<Kernel, FloorMap>& map) {
+  Curve_collection collection;
+  int number = 0;
+  for (const auto& foot : some_feet(map.domain())) {
+    VMP::Integral_curve_3<Kernel> curve;
+    Status status = map.curve_over(foot, curve);
+    if (status.ok()) status = add_image(map.domain(), foot, number, collection);
+    if (!status.ok()) return status;
+    collection.add(number++, 0, map.curves().mesh(), curve);
+  }
+  return VMP::IO::write_VTP(folder.file(Result_folder::curves), collection.polylines, {{"w", collection.levels}},
+                            {{"curve", collection.curves}, {"domain", collection.domains}});
+}
+
+// Values of cells, followed by zeros for the facets, the marked vertices and edges of the file.
 template <typename T>
 std::vector<T> padded(std::vector<T> values, std::size_t size) {
   values.resize(size, T(0));
@@ -60,35 +92,32 @@ std::vector<T> padded(std::vector<T> values, std::size_t size) {
 
 } // namespace
 
-Status write_result(const Result_folder& folder, const Parameterizer& parameterizer, const std::vector<double>& angles,
-                    const std::vector<std::size_t>& critical_vertices) {
-  const Mesh& mesh = parameterizer.mesh();
-  const double height = parameterizer.floor_map()->domain().height();
+Status write_result(const Result_folder& folder, const Product& product, const std::vector<Point_3>& images, double height,
+                    const std::vector<double>& angles, const Singularities& singularities) {
+  const Mesh& mesh = product.mesh();
   std::vector<double> u, v, w;
-  for (const Point_3& p : parameterizer.vertex_images()) {
+  for (const Point_3& p : images) {
     u.push_back(p.x());
     v.push_back(p.y());
     w.push_back(p.z() / height);
   }
   std::vector<int> positions(mesh.number_of_cells(), 0);
-  if (const auto* structure = parameterizer.product_structure())
+  if (const auto* structure = product.product_structure())
     for (VMP::Cell_index c : mesh.cells()) positions[c] = int(structure->position(c));
-  const std::size_t cells = mesh.number_of_cells() + mesh.number_of_boundary_facets() + critical_vertices.size();
   VMP::IO::VTU_content content;
-  content.marked_vertices = critical_vertices;
-  content.point_data = {{"f", parameterizer.harmonic_function()->values()}, {"u", u}, {"v", v}, {"w", w}};
+  for (const VMP::Critical_vertex& v : singularities.critical_vertices) content.marked_vertices.push_back(v.vertex);
+  for (const VMP::Irregular_edge& e : singularities.irregular_edges) content.marked_edges.push_back(e.vertices);
+  const std::size_t cells = mesh.number_of_cells() + mesh.number_of_boundary_facets() + content.marked_vertices.size() +
+                            content.marked_edges.size();
+  content.point_data = {{"f", product.harmonic_function()->values()}, {"u", u}, {"v", v}, {"w", w}};
   content.cell_data = {{"sweep_position", padded(positions, cells)}, {"angle", padded(angles, cells)}};
   return VMP::IO::write_VTU(folder.file(Result_folder::result), mesh, content);
 }
 
-Status write_curves(const Result_folder& folder, const Parameterizer& parameterizer) {
-  const Parameterizer::Product_map& map = *parameterizer.product_map();
-  Curve_collection collection;
-  int number = 0;
-  for (const Kernel::Point_2& q : grid_points(map.floor_map().domain())) {
-    const Status status = add_curve(map, q, number++, collection);
-    if (!status.ok()) return status;
-  }
-  return VMP::IO::write_VTP(folder.file(Result_folder::curves), collection.polylines, {{"w", collection.levels}},
-                            {{"curve", collection.curves}, {"domain", collection.domains}});
+Status write_curves(const Result_folder& folder, const VMP::Product_map_3<Kernel, Prism_floor_map>& map) {
+  return write_some_curves(folder, map);
+}
+
+Status write_curves(const Result_folder& folder, const VMP::Product_map_3<Kernel, Given_boundary_map>& map) {
+  return write_some_curves(folder, map);
 }

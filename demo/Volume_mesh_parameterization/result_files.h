@@ -5,15 +5,30 @@
 #include "Result_folder.h"
 #include "types.h"
 
+#include <CGAL/Volume_mesh_parameterization/Boundary_map_3.h>
 #include <CGAL/Volume_mesh_parameterization/Direct_product_parameterizer_3.h>
+#include <CGAL/Volume_mesh_parameterization/Floor_map_2.h>
+#include <CGAL/Volume_mesh_parameterization/critical_points.h>
+#include <CGAL/Volume_mesh_parameterization/irregular_edges.h>
 
-using Parameterizer = VMP::Direct_product_parameterizer_3<Kernel, Chosen_solver_traits>;
+using Product = VMP::Direct_product_3<Kernel, Chosen_solver_traits>;
+using Polycube = VMP::Polycube_3<Kernel, Chosen_solver_traits>;
+using Prism_floor_map = VMP::Floor_map_2<Kernel>;
+using Given_boundary_map = VMP::Boundary_map_3<Polycube>;
 
-// result.vtu: the object mesh with f, u, v, w, labels, sweep positions, angles and critical points.
-VMP::Status write_result(const Result_folder& folder, const Parameterizer& parameterizer, const std::vector<double>& angles,
-                         const std::vector<std::size_t>& critical_vertices);
+// Where the fields are no product.
+struct Singularities {
+  std::vector<VMP::Critical_vertex> critical_vertices; // of f
+  std::vector<VMP::Irregular_edge> irregular_edges;    // of the flux
+};
+
+// result.vtu: the object mesh with f, u, v, w, labels, sweep positions, angles, critical points and irregular edges. The
+// images of the vertices are (u, v, w times `height`).
+VMP::Status write_result(const Result_folder& folder, const Product& product, const std::vector<Point_3>& images,
+                         double height, const std::vector<double>& angles, const Singularities& singularities);
 
 // curves.vtp: some integral curves in M and their images in P.
-VMP::Status write_curves(const Result_folder& folder, const Parameterizer& parameterizer);
+VMP::Status write_curves(const Result_folder& folder, const VMP::Product_map_3<Kernel, Prism_floor_map>& map);
+VMP::Status write_curves(const Result_folder& folder, const VMP::Product_map_3<Kernel, Given_boundary_map>& map);
 
 #endif // HANDLEBODY_RESULT_FILES_H

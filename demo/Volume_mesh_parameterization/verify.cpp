@@ -38,11 +38,11 @@ private:
   int m_exit_code = EVERYTHING_CERTIFIED;
 };
 
-Status verify_object(const Result_folder& folder, Mesh& mesh, std::string& what_holds) {
+Status verify_solid(const Result_folder& folder, const char* file, Mesh& mesh, std::string& what_holds) {
   Soup soup;
   VMP::Boundary_partition_3 partition;
   VMP::Handlebody_certificate certificate;
-  Status status = VMP::IO::read_MEDIT(folder.file(Result_folder::object), soup);
+  Status status = VMP::IO::read_MEDIT(folder.file(file), soup);
   if (status.ok()) status = mesh.assign(soup);
   if (status.ok()) status = VMP::check_tetrahedral_mesh(mesh);
   if (status.ok()) status = VMP::validate_partition(mesh, partition);
@@ -53,9 +53,9 @@ Status verify_object(const Result_folder& folder, Mesh& mesh, std::string& what_
   return status;
 }
 
-Status verify_order(const Result_folder& folder, const Mesh& mesh) {
+Status verify_order(const Result_folder& folder, const char* file, const Mesh& mesh) {
   std::vector<VMP::Cell_index> order;
-  const Status status = folder.read_order(order);
+  const Status status = folder.read_order(file, order);
   return status.ok() ? VMP::verify_product(mesh, order) : status;
 }
 
@@ -83,20 +83,29 @@ Status verify_hexahedra(const Result_folder& folder, std::string& what_holds) {
   return report.status;
 }
 
+// Whether the mesh, at least, could be used.
+bool verify_product(const Result_folder& folder, const char* solid, const char* order, Mesh& mesh, Verdicts& verdict) {
+  std::string what_holds;
+  const Status status = verify_solid(folder, solid, mesh, what_holds);
+  if (!verdict(solid, status, what_holds)) return false;
+  verdict(order, verify_order(folder, order, mesh), "a product certificate: the solid is its floor times an interval");
+  return true;
+}
+
 } // namespace
 
 int verify(const std::string& path, bool quiet) {
   const Result_folder folder(path);
   Verdicts verdict(quiet);
-  Mesh mesh;
-  std::string what_holds;
-  Status status = verify_object(folder, mesh, what_holds);
-  if (!verdict(Result_folder::object, status, what_holds)) return verdict.exit_code();
-  verdict(Result_folder::order, verify_order(folder, mesh), "a product certificate: the solid is its floor times an interval");
+  Mesh mesh, domain;
+  if (!verify_product(folder, Result_folder::object, Result_folder::order, mesh, verdict)) return verdict.exit_code();
+  if (folder.has(Result_folder::domain))
+    verify_product(folder, Result_folder::domain, Result_folder::domain_order, domain, verdict);
   if (folder.has(Result_folder::parameter))
     verdict(Result_folder::parameter, verify_parameter(folder, mesh), "a piecewise linear bijection");
   if (folder.has(Result_folder::hexahedra)) {
-    status = verify_hexahedra(folder, what_holds);
+    std::string what_holds;
+    const Status status = verify_hexahedra(folder, what_holds);
     verdict(Result_folder::hexahedra, status, what_holds);
   }
   return verdict.exit_code();

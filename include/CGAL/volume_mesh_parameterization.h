@@ -17,10 +17,13 @@
 
 #include <CGAL/Volume_mesh_parameterization/Averaged_gradient_field_3.h>
 #include <CGAL/Volume_mesh_parameterization/Base_point_3.h>
+#include <CGAL/Volume_mesh_parameterization/Boundary_map_3.h>
 #include <CGAL/Volume_mesh_parameterization/Boundary_partition_3.h>
+#include <CGAL/Volume_mesh_parameterization/Cell_locator_3.h>
 #include <CGAL/Volume_mesh_parameterization/Compact_tetrahedral_mesh_3.h>
 #include <CGAL/Volume_mesh_parameterization/Curve_field_3.h>
 #include <CGAL/Volume_mesh_parameterization/Default_solver_traits_3.h>
+#include <CGAL/Volume_mesh_parameterization/Direct_product_3.h>
 #include <CGAL/Volume_mesh_parameterization/Direct_product_parameterizer_3.h>
 #include <CGAL/Volume_mesh_parameterization/Dual_potential_3.h>
 #include <CGAL/Volume_mesh_parameterization/Error_code.h>
@@ -29,6 +32,7 @@
 #include <CGAL/Volume_mesh_parameterization/Harmonic_function_3.h>
 #include <CGAL/Volume_mesh_parameterization/Hexahedron_soup_3.h>
 #include <CGAL/Volume_mesh_parameterization/Integral_curve_3.h>
+#include <CGAL/Volume_mesh_parameterization/Polycube_3.h>
 #include <CGAL/Volume_mesh_parameterization/Prism_3.h>
 #include <CGAL/Volume_mesh_parameterization/Product_map_3.h>
 #include <CGAL/Volume_mesh_parameterization/Product_structure_3.h>
@@ -42,6 +46,7 @@
 #include <CGAL/Volume_mesh_parameterization/handlebody_certificate.h>
 #include <CGAL/Volume_mesh_parameterization/hexahedral_mesh.h>
 #include <CGAL/Volume_mesh_parameterization/indices.h>
+#include <CGAL/Volume_mesh_parameterization/irregular_edges.h>
 #include <CGAL/Volume_mesh_parameterization/make_triangle_soup.h>
 #include <CGAL/Volume_mesh_parameterization/measure_distortion.h>
 #include <CGAL/Volume_mesh_parameterization/optimize_hexahedra.h>
@@ -49,6 +54,7 @@
 #include <CGAL/Volume_mesh_parameterization/parameters.h>
 #include <CGAL/Volume_mesh_parameterization/partition_and_tetrahedralize.h>
 #include <CGAL/Volume_mesh_parameterization/partition_boundary.h>
+#include <CGAL/Volume_mesh_parameterization/pillow_hexahedra.h>
 #include <CGAL/Volume_mesh_parameterization/prepare_patches.h>
 #include <CGAL/Volume_mesh_parameterization/propose_directions.h>
 #include <CGAL/Volume_mesh_parameterization/sweep_with_repairs.h>

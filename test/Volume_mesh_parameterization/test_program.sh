@@ -116,7 +116,15 @@ test_wrong_usage() {
   run 2 parameterize block.mesh -o result --direction 1,2
   run 2 parameterize block.mesh -o result --hexes -5
   run 2 parameterize block.mesh -o result --hexes 1000000000000
+  run 2 parameterize block.mesh -o result --pillow
+  run 2 parameterize block.mesh -o result --pillow --hexes 0
   run 2 parameterize block.mesh -o result --tets 0
+  run 2 parameterize block.mesh -o result --threads 0
+  run 2 parameterize block.mesh -o result --threads 1025
+  run 2 parameterize block.mesh -o result --threads few
+  run 2 parameterize block.mesh -o result --domain block.mesh
+  run 2 parameterize block.mesh -o result --boundary-map block.mesh
+  run 2 parameterize block.mesh -o result --domain block.mesh --boundary-map block.mesh --hexes 100
   [ ! -e result ] || fail "wrong usage leaves a folder"
   run 0 --help
   grep -q parameterize output || fail "--help does not name the commands"
@@ -212,6 +220,51 @@ test_good_block() {
   run 0 verify result
 }
 
+# The block is a polycube itself; as a bent solid, it has the straight one as domain.
+test_given_domain() {
+  awk '/Tetrahedra|Triangles/ { others = 1 } NF == 4 && !others { $1 += $3 * $3 } { print }' block.mesh >bent.mesh
+  run 0 parameterize bent.mesh -o given --domain block.mesh --boundary-map block.mesh
+  local name
+  for name in object.mesh order.txt domain.mesh domain_order.txt result.vtu curves.vtp report.json; do
+    [ -s "given/$name" ] || fail "$name is missing"
+  done
+  run 0 verify given
+  tac given/domain_order.txt >order && mv order given/domain_order.txt
+  run 3 verify given
+  run 1 parameterize block.mesh -o given --domain bent.mesh --boundary-map block.mesh
+  says_why bent.mesh 'not a polycube'
+  run 1 parameterize bent.mesh -o given --domain block.mesh --boundary-map bent.mesh
+  says_why bent.mesh 'not one to one'
+  [ "$(ls -A given)" = report.json ] || fail "a refused boundary map left $(ls -A given)"
+  block 2 2 >coarse.mesh
+  run 1 parameterize bent.mesh -o given --domain block.mesh --boundary-map coarse.mesh
+  says_why coarse.mesh 'points'
+}
+
+test_pillow() {
+  run 0 parameterize block.mesh -o pillow --hexes 400 --pillow
+  grep -q '"pillow": true' pillow/report.json || fail "the report does not say that there is a pillow"
+  grep -q '"irregular_interior_edges": 0' pillow/report.json && fail "a pillow without irregular edges"
+  run 0 verify pillow
+}
+
+# The result does not depend on the number of threads.
+test_threads() {
+  local name
+  run 0 parameterize block.mesh -o one --hexes 200 --threads 1
+  if ! "$program" parameterize block.mesh -o two --hexes 200 --threads 2 >output 2>errors; then
+    run 2 parameterize block.mesh -o two --hexes 200 --threads 2
+    grep -q TBB errors || fail "two threads are refused, but not for want of TBB"
+    return
+  fi
+  grep -q '"threads": 2' two/report.json || fail "the report does not say that there were two threads"
+  for name in one two; do
+    sed '/"seconds"/d; /"bytes"/d; /"threads"/d' $name/report.json >$name.json
+    mv $name.json $name/report.json
+  done
+  diff -r one two >errors || fail "two threads give another result than one"
+}
+
 test_broken_results() {
   cp result/order.txt order
   { tail -n 1 order && sed '1d;$d' order && head -n 1 order; } >result/order.txt
@@ -234,5 +287,8 @@ test_bad_direction
 test_unwritable_folder
 test_own_input
 test_good_block
+test_given_domain
+test_pillow
+test_threads
 test_broken_results
 echo 'done'

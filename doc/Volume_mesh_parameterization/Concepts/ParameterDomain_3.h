@@ -2,13 +2,12 @@
 \ingroup PkgVolumeMeshParameterizationConcepts
 \cgalConcept
 
-The concept `ParameterDomain_3` describes the solid that a handlebody is mapped to: a base in the plane, a rectangle with
-as many rectangular holes as the handlebody has, times the interval from 0 to the height. The base is the floor, its copy
-at full height is the ceiling. Each rim of the base, number 0 the outer one and number 1 + k that of hole k, stands below
-one wall.
+The concept `ParameterDomain_3` describes the solid that a handlebody is mapped to, as the direct product of its floor and
+the unit interval: a point of the solid is given by a point of the floor and by the share of the way to the ceiling.
 
 \cgalHasModelsBegin
 \cgalHasModels{CGAL::Volume_mesh_parameterization::Prism_3}
+\cgalHasModels{CGAL::Volume_mesh_parameterization::Polycube_3}
 \cgalHasModelsEnd
 */
 class ParameterDomain_3
@@ -24,69 +23,41 @@ A model of `VolumeParameterizationTraits_3`.
 typedef unspecified_type Geom_traits;
 
 /*!
-The point type of the base, `Geom_traits::Point_2`.
+A number type, `Geom_traits::FT`.
 */
-typedef unspecified_type Point_2;
+typedef unspecified_type FT;
 
 /*!
 The point type of the domain, `Geom_traits::Point_3`.
 */
 typedef unspecified_type Point_3;
 
+/*!
+A point of the floor, default constructible and assignable.
+*/
+typedef unspecified_type Floor_point;
+
 /// @}
 
-/// \name Shape
+/// \name Operations
 /// @{
 
 /*!
-returns whether the rims are disjoint and bound a base with holes, and the height is positive.
+returns whether the domain is a product that can be evaluated.
 */
 bool is_valid() const;
 
 /*!
-returns the number of rims of the base, one more than there are holes.
+computes the point at the share `w`, from 0 to 1, of the way from `foot` to the ceiling.
 */
-std::size_t number_of_rims() const;
+CGAL::Volume_mesh_parameterization::Status point(const Floor_point& foot, const FT& w, Point_3& result) const;
 
 /*!
-returns a rim of the base.
+is the inverse of `point()`.
+\returns `ERROR_OUTSIDE` if `p` is not in the domain. A domain whose floor map finds out whether a foot is in the floor may
+leave that to it.
 */
-CGAL::Volume_mesh_parameterization::Rectangle_2 rim(std::size_t r) const;
-
-/*!
-returns the height of the ceiling; the floor is at height 0.
-*/
-double height() const;
-
-/*!
-returns the label of the wall that stands on rim `r`.
-*/
-int wall_label(std::size_t r) const;
-
-/// @}
-
-/// \name Queries
-/// @{
-
-/*!
-returns the number of the rim that `p` lies on, or the number of rims if it lies on none.
-*/
-std::size_t rim_at(const Point_2& p) const;
-
-/*!
-returns on which side of the boundary of the base `p` is.
-*/
-CGAL::Bounded_side bounded_side(const Point_2& p) const;
-
-/*!
-returns on which side of the boundary of the domain `p` is.
-*/
-CGAL::Bounded_side bounded_side(const Point_3& p) const;
-
-/*!
-returns the label of the side that `p` lies on, `INTERIOR` if it lies on none.
-*/
-int label(const Point_3& p) const;
+CGAL::Volume_mesh_parameterization::Status locate(const Point_3& p, Floor_point& foot, FT& w) const;
 
 /// @}
 };

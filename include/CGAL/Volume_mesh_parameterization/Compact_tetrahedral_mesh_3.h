@@ -55,6 +55,8 @@ public:
 
   using Cell_vertices = std::array<Vertex_index, 4>;
   using Cell_labels = std::array<int, 4>;
+  /// An edge, a facet or a cell: two to four vertices, then invalid ones.
+  using Simplex = std::array<Vertex_index, 4>;
 
   /// \name Construction
   /// @{
@@ -73,10 +75,13 @@ public:
     return status;
   }
 
-  /// takes points, cells and the label of each facet of each cell (0 in the interior).
-  Status assign(std::vector<Point_3> points, std::vector<Cell_vertices> cells, const std::vector<Cell_labels>& labels) {
+  /// takes points, cells, the label of each facet of each cell (0 in the interior) and the simplices whose barycentres
+  /// the last points are.
+  Status assign(std::vector<Point_3> points, std::vector<Cell_vertices> cells, const std::vector<Cell_labels>& labels,
+                std::vector<Simplex> split_simplices = {}) {
     m_points = std::move(points);
     m_cells = std::move(cells);
+    m_split_simplices = std::move(split_simplices);
     const Status status = number_facets();
     if (status.ok())
       for (Facet_index f : boundary_facets()) set_label(f, labels[half_facet(f).cell][half_facet(f).index]);
@@ -101,6 +106,8 @@ public:
 
   const Point_3& point(std::size_t vertex) const { return m_points[vertex]; }
   const std::vector<Point_3>& points() const { return m_points; }
+  /// returns the simplices that refinement has split. Their barycentres are the last vertices, in the same order.
+  const std::vector<Simplex>& split_simplices() const { return m_split_simplices; }
   const Cell_vertices& cell(std::size_t c) const { return m_cells[c]; }
   Vertex_index vertex(Cell_index c, int i) const { return m_cells[c][i]; }
   Facet_index facet(Cell_index c, int i) const { return m_cell_facets[c][i]; }
@@ -172,6 +179,7 @@ private:
   Status copy(const TetrahedralMesh& mesh) {
     const std::size_t nv = mesh.number_of_vertices(), nc = mesh.number_of_cells();
     if (nc == 0) return {ERROR_EMPTY_MESH, "it has no tetrahedra"};
+    m_split_simplices.clear();
     m_points.clear();
     m_points.reserve(nv);
     for (std::size_t v = 0; v < nv; ++v) m_points.push_back(mesh.point(v));
@@ -249,6 +257,7 @@ private:
   }
 
   std::vector<Point_3> m_points;
+  std::vector<Simplex> m_split_simplices;
   std::vector<Cell_vertices> m_cells;
   std::vector<std::array<Facet_index, 4>> m_cell_facets;
   std::vector<std::array<std::uint32_t, 2>> m_half_facets; // packed, the second `none` on the boundary

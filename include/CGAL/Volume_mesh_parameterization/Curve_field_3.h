@@ -15,6 +15,7 @@
 #include <CGAL/Volume_mesh_parameterization/Harmonic_function_3.h>
 #include <CGAL/Volume_mesh_parameterization/Product_structure_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Cell_gradients.h>
+#include <CGAL/Volume_mesh_parameterization/internal/for_each_index.h>
 #include <CGAL/Volume_mesh_parameterization/internal/nearest_admissible_vector.h>
 
 #include <algorithm>
@@ -55,28 +56,34 @@ public:
   using Rates = std::array<FT, 4>;
   using Vector_3 = internal::Double_kernel::Vector_3;
 
+  static constexpr double default_least_slope = 0.02;
+
   Curve_field_3() = default;
 
   /*!
   constructs the certified field: in each cell the velocity nearest to that of `flux` among those that enter through
   the entry facets and leave through the exit facets of `structure`, parallel to the walls, and that meet every entry
-  or exit facet at an angle whose sine is at least `least_slope`.
+  or exit facet at an angle whose sine is at least `least_slope`. The result does not depend on the `ConcurrencyTag`; if
+  `FT` is no floating point type, one thread does all.
 
   \pre `least_slope` is positive
 
   Complexity: \f$ O(n) \f$.
   */
-  template <typename Harmonic_function, typename Flux_field>
+  template <typename Harmonic_function, typename Flux_field, typename ConcurrencyTag = Sequential_tag>
   Curve_field_3(const Mesh& mesh, const Product_structure_3<GeomTraits>& structure, const Flux_field& flux,
-                const Harmonic_function& harmonic, Level_function level = HARMONIC_LEVEL, double least_slope = 0.02)
+                const Harmonic_function& harmonic, Level_function level = HARMONIC_LEVEL,
+                double least_slope = default_least_slope, ConcurrencyTag = ConcurrencyTag())
       : Curve_field_3(mesh) {
     const double slope = mean_slope(mesh, harmonic);
-    for (Cell_index c : mesh.cells()) {
+    using Tag = internal::Concurrency_for<ConcurrencyTag, FT>;
+    internal::for_each_index<Tag>(mesh.number_of_cells(), [&](std::size_t i) {
+      const Cell_index c(i);
       const internal::Cell_gradients cell(mesh, c);
       m_signs[c] = structure.signs(c);
       std::array<double, 4> rates = nearest_rates(cell, m_signs[c], flux.vector(c), least_slope);
       set_rates(mesh, c, rates, harmonic.gradient(c), level, slope);
-    }
+    });
   }
 
   /// constructs the field of `flux` itself, whose curves carry no certificate.

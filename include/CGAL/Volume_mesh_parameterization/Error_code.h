@@ -58,6 +58,8 @@ enum Error_code {
   ERROR_SWEEP_RULE,                ///< an order of tetrahedra breaks a rule of the sweep
   ERROR_CURVE_LOST,                ///< an integral curve did not arrive
   ERROR_FLOOR_MAP,                 ///< the floor could not be mapped one to one
+  ERROR_NOT_A_POLYCUBE,            ///< a boundary facet of the given domain is orthogonal to no axis
+  ERROR_BOUNDARY_MAP,              ///< the given boundary map is not one to one onto the boundary of the domain
   ERROR_MAP_NOT_BIJECTIVE,         ///< the piecewise linear map flips a tetrahedron or does not cover its image once
   ERROR_INVERTED_HEXAHEDRON,       ///< a hexahedron has a corner that is not positive
   ERROR_OUTSIDE,                   ///< a point lies outside of the domain
@@ -108,6 +110,8 @@ inline const char* get_error_message(Error_code code) {
   case ERROR_SWEEP_RULE: return "the order of tetrahedra breaks a rule of the sweep";
   case ERROR_CURVE_LOST: return "an integral curve did not arrive";
   case ERROR_FLOOR_MAP: return "the floor could not be mapped one to one";
+  case ERROR_NOT_A_POLYCUBE: return "the domain is not a polycube";
+  case ERROR_BOUNDARY_MAP: return "the boundary map is not one to one onto the boundary of the domain";
   case ERROR_MAP_NOT_BIJECTIVE: return "the piecewise linear map is not bijective";
   case ERROR_INVERTED_HEXAHEDRON: return "a hexahedron is inverted";
   case ERROR_OUTSIDE: return "a point lies outside of the domain";

@@ -17,6 +17,7 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Bucket_grid_2.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Floor_map_builder.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Incidence_lists.h>
+#include <CGAL/Volume_mesh_parameterization/internal/triangle_weights_2.h>
 
 #include <CGAL/number_utils.h>
 
@@ -115,10 +116,10 @@ public:
     const Point_2 p = chart.point(barycentric);
     const auto parts = m_parts[floor_facet];
     const auto corners = [&](std::uint32_t t) { return chart_corners(t, chart); };
-    auto part = std::find_if(parts.begin(), parts.end(), [&](auto t) { return contains(corners(t), p); });
+    auto part = std::find_if(parts.begin(), parts.end(), [&](auto t) { return internal::contains<GeomTraits>(corners(t), p); });
     if (part == parts.end()) part = parts.begin(); // a weight is negative: extend the map
     const Triangle& t = triangle(*part);
-    return combine(weights_in(corners(*part), p), {m_images[t[0]], m_images[t[1]], m_images[t[2]]});
+    return combine(internal::weights_in<GeomTraits>(corners(*part), p), {m_images[t[0]], m_images[t[1]], m_images[t[2]]});
   }
   Point_2 image(const Base_point_3<GeomTraits>& p) const { return image(p.facet, p.barycentric); }
 
@@ -128,12 +129,12 @@ public:
   Status preimage(const Point_2& p, Base_point_3<GeomTraits>& result) const {
     const Bounded_side side = m_domain.bounded_side(p);
     if (side == ON_BOUNDARY && border_preimage(p, result)) return {};
-    const auto is_in = [&](std::uint32_t t) { return contains(image_corners(t), p); };
+    const auto is_in = [&](std::uint32_t t) { return internal::contains<GeomTraits>(image_corners(t), p); };
     const std::uint32_t t = side == ON_BOUNDED_SIDE ? m_grid.find(p, is_in) : internal::Refined_surface::none;
     if (t == internal::Refined_surface::none)
       return {ERROR_OUTSIDE, "(" + std::to_string(CGAL::to_double(p.x())) + ", " +
                                  std::to_string(CGAL::to_double(p.y())) + ")"};
-    result = combine_corners(t, weights_in(image_corners(t), p));
+    result = combine_corners(t, internal::weights_in<GeomTraits>(image_corners(t), p));
     return {};
   }
   /// @}
@@ -172,29 +173,6 @@ private:
   Corners chart_corners(std::uint32_t t, const Chart& chart) const {
     const auto& w = m_surface.weights(t);
     return {chart.point(w[0]), chart.point(w[1]), chart.point(w[2])};
-  }
-
-  // Either orientation of the corners will do.
-  static bool contains(const Corners& c, const Point_2& p) {
-    const typename GeomTraits::Orientation_2 orientation = GeomTraits().orientation_2_object();
-    const Orientation o[] = {orientation(c[0], c[1], p), orientation(c[1], c[2], p),
-                             orientation(c[2], c[0], p)};
-    const bool left = std::count(o, o + 3, LEFT_TURN) > 0, right = std::count(o, o + 3, RIGHT_TURN) > 0;
-    return !(left && right);
-  }
-
-  static FT area(const Point_2& a, const Point_2& b, const Point_2& p) {
-    return (b.x() - a.x()) * (p.y() - a.y()) - (b.y() - a.y()) * (p.x() - a.x());
-  }
-
-  // p is in the triangle, so that negative weights are rounding errors.
-  static Weights weights_in(const Corners& c, const Point_2& p) {
-    const FT whole = area(c[0], c[1], c[2]);
-    Weights w;
-    for (int i = 0; i < 3; ++i) w[i] = (std::max)(FT(0), FT(area(c[(i + 1) % 3], c[(i + 2) % 3], p) / whole));
-    const FT sum = w[0] + w[1] + w[2];
-    for (FT& weight : w) weight /= sum;
-    return w;
   }
 
   // Starts from the nearest corner: a coordinate that all corners of non-zero weight share is kept.

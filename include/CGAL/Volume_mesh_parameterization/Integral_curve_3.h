@@ -37,16 +37,20 @@ struct Location_3 {
   Cell_index cell;
   std::array<FT, 4> barycentric;
 
+  /// returns the point in space. A coordinate that all vertices of non-zero weight share is kept exactly: so points of a
+  /// plane orthogonal to an axis stay there.
   typename GeomTraits::Point_3 point(const Compact_tetrahedral_mesh_3<GeomTraits>& mesh) const {
-    FT x(0), y(0), z(0), sum(0);
+    const FT sum = barycentric[0] + barycentric[1] + barycentric[2] + barycentric[3];
+    const int heaviest = int(std::max_element(barycentric.begin(), barycentric.end()) - barycentric.begin());
+    const auto& origin = mesh.point(mesh.vertex(cell, heaviest));
+    FT x(0), y(0), z(0);
     for (int i = 0; i < 4; ++i) {
       const auto& p = mesh.point(mesh.vertex(cell, i));
-      x += barycentric[i] * p.x();
-      y += barycentric[i] * p.y();
-      z += barycentric[i] * p.z();
-      sum += barycentric[i];
+      x += barycentric[i] * (p.x() - origin.x());
+      y += barycentric[i] * (p.y() - origin.y());
+      z += barycentric[i] * (p.z() - origin.z());
     }
-    return {x / sum, y / sum, z / sum};
+    return {origin.x() + x / sum, origin.y() + y / sum, origin.z() + z / sum};
   }
 };
 

@@ -10,6 +10,7 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
+#include <CGAL/Volume_mesh_parameterization/Error_code.h>
 #include <CGAL/Volume_mesh_parameterization/Tetrahedron_soup_3.h>
 
 #include <CGAL/enum.h>
@@ -66,8 +67,10 @@ template <typename GeomTraits>
 class Prism_3 {
 public:
   using Geom_traits = GeomTraits;
+  using FT = typename GeomTraits::FT;
   using Point_2 = typename GeomTraits::Point_2;
   using Point_3 = typename GeomTraits::Point_3;
+  using Floor_point = Point_2;
 
   Prism_3() = default;
 
@@ -118,6 +121,22 @@ public:
   std::size_t rim_at(const Point_2& p) const {
     const auto at_p = [&p](const Rectangle_2& rim) { return rim.bounded_side(p) == ON_BOUNDARY; };
     return std::find_if(m_rims.begin(), m_rims.end(), at_p) - m_rims.begin();
+  }
+
+  /// computes the point over `foot` at the share `w` of the height.
+  Status point(const Floor_point& foot, const FT& w, Point_3& result) const {
+    result = Point_3(foot.x(), foot.y(), FT(m_height) * w);
+    return {};
+  }
+
+  /// splits a point into its foot on the floor and its share of the height.
+  /// \returns `ERROR_OUTSIDE` if `p` is above the ceiling or below the floor, whether its foot is in the base or not
+  Status locate(const Point_3& p, Floor_point& foot, FT& w) const {
+    if (p.z() < FT(0) || p.z() > FT(m_height))
+      return {ERROR_OUTSIDE, "the third coordinate is not in the height of the prism"};
+    foot = Point_2(p.x(), p.y());
+    w = p.z() / FT(m_height);
+    return {};
   }
 
   /// returns on which side of the base `p` is.

@@ -12,8 +12,8 @@
 
 #include <CGAL/Volume_mesh_parameterization/Floor_map_2.h>
 #include <CGAL/Volume_mesh_parameterization/Integral_curve_3.h>
-#include <CGAL/Volume_mesh_parameterization/Prism_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Vertex_stars.h>
+#include <CGAL/Volume_mesh_parameterization/internal/for_each_index.h>
 
 #include <utility>
 #include <vector>
@@ -24,25 +24,27 @@ namespace Volume_mesh_parameterization {
 /*!
 \ingroup PkgVolumeMeshParameterizationMap
 
-is the map \f$ \varphi \f$ from a solid M to a prism P, and its inverse.
+is the map \f$ \varphi \f$ from a solid M to a domain P, and its inverse.
 
-A point p of M goes down its curve to a floor point, which the floor map takes to (u, v). The share w of the level that
-the curve has gained at p is kept: the image is (u, v, w times the height of P). In P the curves are vertical.
+A point p of M goes down its curve to a floor point, which the floor map takes to a floor point of P. The share of the
+level that the curve has gained at p is kept: the image is the point over that floor point at this share of the way up.
 
-If the curves are certified and the floor map is bijective, so is \f$ \varphi \f$. With exact number types both directions
-are exact, and \f$ \varphi^{-1}(\varphi(p)) = p \f$.
+If the curves of both solids are certified and the floor map is bijective, so is \f$ \varphi \f$. With exact number types
+both directions are exact, and \f$ \varphi^{-1}(\varphi(p)) = p \f$.
 
 \tparam GeomTraits a model of `VolumeParameterizationTraits_3`
+\tparam FloorMap `Floor_map_2` or `Boundary_map_3`
 */
-template <typename GeomTraits>
+template <typename GeomTraits, typename FloorMap = Floor_map_2<GeomTraits>>
 class Product_map_3 {
 public:
   using Curves = Integral_curves_3<GeomTraits>;
-  using Floor_map = Floor_map_2<GeomTraits>;
+  using Floor_map = FloorMap;
+  using Domain = typename FloorMap::Domain;
+  using Floor_point = typename Domain::Floor_point;
   using Location = Location_3<GeomTraits>;
   using Base_point = Base_point_3<GeomTraits>;
   using FT = typename GeomTraits::FT;
-  using Point_2 = typename GeomTraits::Point_2;
   using Point_3 = typename GeomTraits::Point_3;
 
   /// keeps references to what the arguments refer to, and to `floor_map`.
@@ -50,6 +52,7 @@ public:
 
   const Curves& curves() const { return m_curves; }
   const Floor_map& floor_map() const { return *m_floor_map; }
+  const Domain& domain() const { return m_floor_map->domain(); }
 
   /// computes \f$ \varphi(p) \f$.
   /// \returns `ERROR_CURVE_LOST`, for uncertified curves only
@@ -58,31 +61,32 @@ public:
     FT below, above;
     Status status = m_curves.trace_to_base(p, DOWN, floor, below);
     if (status.ok()) status = m_curves.trace_to_base(p, UP, ceiling, above);
-    if (!status.ok()) return status;
-    const Point_2 uv = m_floor_map->image(floor.facet, floor.barycentric);
-    result = Point_3(uv.x(), uv.y(), height() * below / (below + above));
-    return {};
+    return status.ok() ? domain().point(m_floor_map->image(floor), below / (below + above), result) : status;
   }
 
   /// computes \f$ \varphi^{-1}(q) \f$.
   /// \returns `ERROR_OUTSIDE` if q is not in P; `ERROR_CURVE_LOST`, for uncertified curves only
   Status preimage(const Point_3& q, Location& result) const {
-    if (q.z() < FT(0) || q.z() > height()) return {ERROR_OUTSIDE, "the third coordinate is not in the height of the prism"};
-    Base_point floor;
-    Status status = m_floor_map->preimage(Point_2(q.x(), q.y()), floor);
-    if (!status.ok()) return status;
+    Floor_point foot;
+    FT share;
     Integral_curve_3<GeomTraits> curve;
-    status = m_curves.trace_curve(floor, curve);
-    if (status.ok()) result = curve.at(q.z() / height() * curve.total_level());
+    Status status = domain().locate(q, foot, share);
+    if (status.ok()) status = curve_over(foot, curve);
+    if (status.ok()) result = curve.at(share * curve.total_level());
     return status;
   }
 
-  /// appends the preimages of the points of the vertical line over `uv` at heights 0, 1 / `layers`, …, 1.
-  Status column(const Point_2& uv, std::size_t layers, std::vector<Point_3>& points) const {
+  /// computes the curve of M whose image stands on `foot`, a point of the floor of P.
+  Status curve_over(const Floor_point& foot, Integral_curve_3<GeomTraits>& curve) const {
     Base_point floor;
-    Status status = m_floor_map->preimage(uv, floor);
+    const Status status = m_floor_map->preimage(foot, floor);
+    return status.ok() ? m_curves.trace_curve(floor, curve) : status;
+  }
+
+  /// appends the preimages of the points over `foot` at the shares 0, 1 / `layers`, …, 1 of the way up.
+  Status column(const Floor_point& foot, std::size_t layers, std::vector<Point_3>& points) const {
     Integral_curve_3<GeomTraits> curve;
-    if (status.ok()) status = m_curves.trace_curve(floor, curve);
+    const Status status = curve_over(foot, curve);
     if (!status.ok()) return status;
     const FT total = curve.total_level();
     for (std::size_t k = 0; k < layers; ++k) points.push_back(curve.at(total * FT(int(k)) / FT(int(layers))).point(mesh()));
@@ -90,22 +94,30 @@ public:
     return {};
   }
 
-  /// computes the images of all vertices of M.
-  /// \returns `ERROR_CURVE_LOST`, for uncertified curves only; then `images` is left as it was
+  /*!
+  computes the images of all vertices of M.
+
+  \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; the result does not depend on
+  it. If `FT` is no floating point type, one thread does all.
+
+  \returns `ERROR_CURVE_LOST` of the first vertex whose curve is lost, for uncertified curves only; then `images` is left
+  as it was
+  */
+  template <typename ConcurrencyTag = Sequential_tag>
   Status vertex_images(std::vector<Point_3>& images) const {
     const internal::Vertex_stars stars(mesh());
     std::vector<Point_3> result(mesh().number_of_vertices());
-    for (Vertex_index v : mesh().vertices()) {
-      const Status status = image(location(*stars.cells(v).begin(), v), result[v]);
-      if (!status.ok()) return status;
-    }
-    images = std::move(result);
-    return {};
+    using Tag = internal::Concurrency_for<ConcurrencyTag, FT>;
+    const Status status = internal::try_each_index<Tag>(result.size(), [&](std::size_t i) {
+      const Vertex_index v(i);
+      return image(location(*stars.cells(v).begin(), v), result[v]);
+    });
+    if (status.ok()) images = std::move(result);
+    return status;
   }
 
 private:
   const Compact_tetrahedral_mesh_3<GeomTraits>& mesh() const { return m_curves.mesh(); }
-  FT height() const { return FT(m_floor_map->domain().height()); }
 
   Location location(Cell_index c, Vertex_index v) const {
     Location result{c, {FT(0), FT(0), FT(0), FT(0)}};

@@ -13,12 +13,14 @@
 #include <CGAL/Volume_mesh_parameterization/Error_code.h>
 #include <CGAL/Volume_mesh_parameterization/Hexahedron_soup_3.h>
 #include <CGAL/Volume_mesh_parameterization/Prism_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/for_each_index.h>
 
 #include <CGAL/number_utils.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -77,6 +79,15 @@ public:
     return n;
   }
 
+  // The number of sides of columns that are on walls.
+  std::size_t count_sides() const {
+    std::size_t n = 0;
+    for (int j = 0; j <= depth(); ++j)
+      for (int i = 0; i <= width(); ++i)
+        n += (is_solid(i, j) != is_solid(i - 1, j)) + (is_solid(i, j) != is_solid(i, j - 1));
+    return n;
+  }
+
 private:
   const Prism_3<GeomTraits>& m_prism;
   const Prism_grid& m_grid;
@@ -113,18 +124,48 @@ std::size_t number_of_hexahedra(const Prism_3<GeomTraits>& prism, const Prism_gr
 /*!
 \ingroup PkgVolumeMeshParameterizationHexahedra
 
-returns the grid of about cubic cells whose number of hexahedra is nearest to `target` among edges around the one
-that the volume suggests.
+returns how many quadrilaterals the boundary of the grid has: how many hexahedra `pillow_hexahedra()` adds.
 */
 template <typename GeomTraits>
-Prism_grid prism_grid_of_size(const Prism_3<GeomTraits>& prism, std::size_t target) {
+std::size_t number_of_boundary_quadrilaterals(const Prism_3<GeomTraits>& prism, const Prism_grid& grid) {
+  const internal::Prism_columns<GeomTraits> columns(prism, grid);
+  return 2 * columns.count() + columns.count_sides() * grid.layers;
+}
+
+namespace internal {
+
+// The edge of about `target` cubes that fill the prism and, for a pillow, cover its boundary once more.
+template <typename GeomTraits>
+double edge_of_size(const Prism_3<GeomTraits>& prism, double target, bool has_pillow) {
+  constexpr int rounds = 20; // each divides the error by at least 3
+  double rim_length = 0;
+  for (std::size_t r = 0; r < prism.number_of_rims(); ++r)
+    rim_length += 2 * (prism.rim(r).width() + prism.rim(r).height());
+  const double volume = prism.base_area() * prism.height();
+  const double area = has_pillow ? 2 * prism.base_area() + rim_length * prism.height() : 0;
+  double edge = std::cbrt(volume / target);
+  for (int k = 0; k < rounds && has_pillow; ++k) edge = std::cbrt((volume + area * edge) / target);
+  return edge;
+}
+
+} // namespace internal
+
+/*!
+\ingroup PkgVolumeMeshParameterizationHexahedra
+
+returns the grid of about cubic cells whose number of hexahedra, with those of a pillow if `has_pillow`, is nearest to
+`target` among edges around the one that the volume suggests.
+*/
+template <typename GeomTraits>
+Prism_grid prism_grid_of_size(const Prism_3<GeomTraits>& prism, std::size_t target, bool has_pillow = false) {
   const double edge =
-      std::cbrt(prism.base_area() * prism.height() / double((std::max)(target, std::size_t(1))));
+      internal::edge_of_size(prism, double((std::max)(target, std::size_t(1))), has_pillow);
   constexpr int trials = 40;
   constexpr double least = 0.5, greatest = 2; // shares of that edge
   Prism_grid best = prism_grid(prism, edge);
   const auto miss = [&](const Prism_grid& g) {
-    return CGAL::abs(double(number_of_hexahedra(prism, g)) - double(target));
+    const std::size_t in_pillow = has_pillow ? number_of_boundary_quadrilaterals(prism, g) : 0;
+    return CGAL::abs(double(number_of_hexahedra(prism, g) + in_pillow) - double(target));
   };
   for (int k = 0; k <= trials; ++k) {
     const Prism_grid grid = prism_grid(prism, edge * least * std::pow(greatest / least, double(k) / trials));
@@ -142,9 +183,9 @@ public:
   Hexahedra_builder(const Prism_3<GeomTraits>& prism, const Prism_grid& grid, Hexahedron_soup_3<Point>& mesh)
       : m_prism(prism), m_grid(grid), m_columns(prism, grid), m_mesh(mesh) {}
 
-  template <typename Column>
+  template <typename ConcurrencyTag, typename Column>
   Status build(const Column& column) {
-    const Status status = add_points(column);
+    const Status status = add_points<ConcurrencyTag>(column);
     if (!status.ok()) return status;
     for (int j = 0; j < m_columns.depth(); ++j)
       for (int i = 0; i < m_columns.width(); ++i)
@@ -154,23 +195,38 @@ public:
 
 private:
   static constexpr std::size_t none = std::size_t(-1);
+  using Point_2 = typename GeomTraits::Point_2;
 
-  template <typename Column>
-  Status add_points(const Column& column) {
+  // Numbers the nodes over the crossings of lines that are used, and returns these crossings.
+  std::vector<Point_2> number_nodes() {
+    std::vector<Point_2> crossings;
     const int lines = m_columns.width() + 1;
     for (int j = 0; j <= m_columns.depth(); ++j)
       for (int i = 0; i < lines; ++i) {
         const bool is_used = m_columns.is_solid(i - 1, j - 1) || m_columns.is_solid(i, j - 1) ||
                              m_columns.is_solid(i - 1, j) || m_columns.is_solid(i, j);
-        m_first.push_back(is_used ? m_mesh.points.size() : none);
-        if (!is_used) continue;
-        const Status status =
-            column(typename GeomTraits::Point_2(m_grid.x[i], m_grid.y[j]), m_grid.layers, m_mesh.points);
-        if (!status.ok()) return status;
-        if (m_mesh.points.size() != m_first.back() + m_grid.layers + 1)
-          return {ERROR_WRONG_PARAMETER, "a column has not one point more than layers"};
+        m_first.push_back(is_used ? crossings.size() * (m_grid.layers + 1) : none);
+        if (is_used) crossings.emplace_back(m_grid.x[i], m_grid.y[j]);
       }
-    return {};
+    return crossings;
+  }
+
+  template <typename ConcurrencyTag, typename Column>
+  Status add_points(const Column& column) {
+    const std::vector<Point_2> crossings = number_nodes();
+    const std::size_t size = m_grid.layers + 1;
+    m_mesh.points.resize(crossings.size() * size);
+    using Tag = Concurrency_for<ConcurrencyTag, typename GeomTraits::FT>;
+    const auto add_column = [&](std::size_t k) -> Status {
+      std::vector<Point> points;
+      const Status status = column(crossings[k], m_grid.layers, points);
+      if (!status.ok()) return status;
+      if (points.size() != size)
+        return {ERROR_WRONG_PARAMETER, "a column has not one point more than layers"};
+      std::move(points.begin(), points.end(), m_mesh.points.begin() + k * size);
+      return {};
+    };
+    return try_each_index<Tag>(crossings.size(), add_column, 4);
   }
 
   std::size_t node(int i, int j, std::size_t layer) const {
@@ -215,19 +271,22 @@ private:
 extracts the hexahedra of `grid`: those of a prism, seen through the map that `column` evaluates. Facets are labelled
 like the sides of the prism. Linear in the number of hexahedra and of evaluations.
 
+\tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`: then `column` is called by several
+  threads at a time. The result does not depend on it. If `FT` is no floating point type, one thread does all.
 \tparam Column a function object `Status column(const Point_2& p, std::size_t layers, std::vector<Point>& points)` that
   appends `layers` + 1 points, from the floor to the ceiling over `p`
 
 \returns `ERROR_WRONG_PARAMETER` if `prism` is not valid, `grid` is empty or a column has a wrong length, or the status of
   the first column that fails; then the mesh is left empty
 */
-template <typename GeomTraits, typename Column, typename Point>
+template <typename ConcurrencyTag = Sequential_tag, typename GeomTraits, typename Column, typename Point>
 Status hexahedral_mesh(const Prism_3<GeomTraits>& prism, const Prism_grid& grid, const Column& column,
                        Hexahedron_soup_3<Point>& mesh) {
   mesh = Hexahedron_soup_3<Point>();
   if (!prism.is_valid()) return {ERROR_WRONG_PARAMETER, "the prism"};
   if (grid.x.size() < 2 || grid.y.size() < 2 || grid.layers == 0) return {ERROR_WRONG_PARAMETER, "the grid"};
-  const Status status = internal::Hexahedra_builder<GeomTraits, Point>(prism, grid, mesh).build(column);
+  const Status status =
+      internal::Hexahedra_builder<GeomTraits, Point>(prism, grid, mesh).template build<ConcurrencyTag>(column);
   if (!status.ok()) mesh = Hexahedron_soup_3<Point>();
   return status;
 }

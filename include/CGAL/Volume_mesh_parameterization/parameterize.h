@@ -29,6 +29,8 @@ namespace Volume_mesh_parameterization {
 
 maps a solid with a labelled boundary one to one onto a prism.
 
+\tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; results do not depend on it. For
+  kernels whose `FT` is no floating point type, one thread does all.
 \tparam TetrahedralMesh a model of `TetrahedralMesh_3`
 \tparam GeomTraits a model of `VolumeParameterizationTraits_3`
 \tparam Solver a model of `SparseLinearAlgebraWithFactorTraits_d`
@@ -62,11 +64,11 @@ labels for one that has none
 `prepare_patches()`, `sweep()` and `Floor_map_2::build()`; `ERROR_CANNOT_SOLVE`; for `FLUX_CURVES` also
 `ERROR_CURVE_LOST`; `ERROR_CANCELLED` if the visitor stopped
 */
-template <typename TetrahedralMesh, typename GeomTraits, typename Solver,
+template <typename ConcurrencyTag = Sequential_tag, typename TetrahedralMesh, typename GeomTraits, typename Solver,
           typename NamedParameters = CGAL::parameters::Default_named_parameters>
 Status parameterize(const TetrahedralMesh& mesh, Direct_product_parameterizer_3<GeomTraits, Solver>& result,
                     const NamedParameters& np = CGAL::parameters::default_values()) {
-  return result.run(mesh, np);
+  return result.template run<ConcurrencyTag>(mesh, np);
 }
 
 namespace internal {
@@ -92,6 +94,7 @@ walls, fills it with tetrahedra, and calls `parameterize()`. The surface may be 
 
 Needs TetGen: see `tetrahedralize()`.
 
+\tparam ConcurrencyTag as for `parameterize()`
 \tparam Point the point type of `GeomTraits`
 \tparam GeomTraits a model of `VolumeParameterizationTraits_3`
 \tparam Solver a model of `SparseLinearAlgebraWithFactorTraits_d`
@@ -117,7 +120,7 @@ Needs TetGen: see `tetrahedralize()`.
 
 \returns the errors of `check_surface()`, `partition_and_tetrahedralize()` and `parameterize()`
 */
-template <typename Point, typename GeomTraits, typename Solver,
+template <typename ConcurrencyTag = Sequential_tag, typename Point, typename GeomTraits, typename Solver,
           typename NamedParameters = CGAL::parameters::Default_named_parameters>
 Status parameterize_surface(const Triangle_soup_3<Point>& surface,
                             Direct_product_parameterizer_3<GeomTraits, Solver>& result,
@@ -138,7 +141,7 @@ Status parameterize_surface(const Triangle_soup_3<Point>& surface,
           internal::directions_to_try(checked, get_parameter(np, internal_np::sweep_direction));
       return partition_and_tetrahedralize(checked, directions, number_of_cells, solid);
     });
-  return status.ok() ? parameterize(solid, result, np) : status;
+  return status.ok() ? parameterize<ConcurrencyTag>(solid, result, np) : status;
 }
 
 /*!
@@ -146,6 +149,7 @@ Status parameterize_surface(const Triangle_soup_3<Point>& surface,
 
 maps the solid inside a closed triangle mesh, as the function above.
 
+\tparam ConcurrencyTag as for `parameterize()`
 \tparam TriangleMesh a model of `FaceListGraph` and `VertexListGraph`
 
 \cgalNamedParamsBegin
@@ -157,14 +161,14 @@ maps the solid inside a closed triangle mesh, as the function above.
 
 \returns also `ERROR_NOT_TRIANGULATED`
 */
-template <typename TriangleMesh, typename GeomTraits, typename Solver,
+template <typename ConcurrencyTag = Sequential_tag, typename TriangleMesh, typename GeomTraits, typename Solver,
           typename NamedParameters = CGAL::parameters::Default_named_parameters>
 Status parameterize_surface(const TriangleMesh& mesh,
                             Direct_product_parameterizer_3<GeomTraits, Solver>& result,
                             const NamedParameters& np = CGAL::parameters::default_values()) {
   Triangle_soup_3<typename GeomTraits::Point_3> surface;
   const Status status = make_triangle_soup(mesh, surface, np);
-  return status.ok() ? parameterize_surface(surface, result, np) : status;
+  return status.ok() ? parameterize_surface<ConcurrencyTag>(surface, result, np) : status;
 }
 
 } // namespace Volume_mesh_parameterization

@@ -13,6 +13,7 @@
 #include <CGAL/Volume_mesh_parameterization/Error_code.h>
 #include <CGAL/Volume_mesh_parameterization/IO/Data_array.h>
 #include <CGAL/Volume_mesh_parameterization/Tetrahedron_soup_3.h>
+#include <CGAL/Volume_mesh_parameterization/indices.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Text_scanner.h>
 #include <CGAL/Volume_mesh_parameterization/internal/VTK_XML_writer.h>
 #include <CGAL/Volume_mesh_parameterization/internal/VTK_grid.h>
@@ -20,6 +21,7 @@
 #include <CGAL/Volume_mesh_parameterization/internal/check_coordinates.h>
 #include <CGAL/Volume_mesh_parameterization/internal/write_atomically.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <istream>
@@ -37,12 +39,13 @@ namespace IO {
 \ingroup PkgVolumeMeshParameterizationIO
 
 is what to write of a mesh into a VTU file. The cells of the file are the tetrahedra, then the labelled facets, then
-the marked vertices, as far as they are asked for.
+the marked vertices and edges, as far as they are asked for.
 */
 struct VTU_content {
   bool with_tetrahedra = true;
   bool with_facets = true;                  ///< adds an array `label`: 0 for what is no facet
   std::vector<std::size_t> marked_vertices; ///< each becomes a cell, to be seen as a point
+  std::vector<std::array<Vertex_index, 2>> marked_edges; ///< each becomes a cell, to be seen as a line
   std::vector<Data_array> point_data;       ///< arrays with a value for each vertex
   std::vector<Data_array> cell_data;        ///< arrays with a value for each cell of the file
 };
@@ -60,6 +63,7 @@ void for_each_VTU_cell(const TetrahedralMesh& mesh, const IO::VTU_content& conte
     for (const Labelled_facet& facet : mesh.labelled_facets())
       visit(VTK_TRIANGLE, facet.vertices, facet.label);
   for (std::size_t v : content.marked_vertices) visit(VTK_VERTEX, std::array<std::size_t, 1>{v}, 0);
+  for (const auto& e : content.marked_edges) visit(VTK_LINE, std::array<std::size_t, 2>{e[0], e[1]}, 0);
 }
 
 template <typename TetrahedralMesh>
@@ -74,6 +78,9 @@ Status check_VTU_content(const TetrahedralMesh& mesh, const IO::VTU_content& con
   const std::size_t n = mesh.number_of_vertices();
   for (std::size_t v : content.marked_vertices)
     if (v >= n) return {ERROR_WRONG_PARAMETER, "there is no vertex " + std::to_string(v) + " to mark"};
+  for (const auto& e : content.marked_edges)
+    if ((std::max)(e[0], e[1]) >= n)
+      return {ERROR_WRONG_PARAMETER, "there is no vertex " + std::to_string((std::max)(e[0], e[1])) + " to mark an edge of"};
   Status status = check_coordinates(n, [&](std::size_t v) -> decltype(auto) { return mesh.point(v); });
   if (status.ok()) status = check_data_arrays(content.point_data, n, "vertices");
   if (status.ok()) status = check_data_arrays(content.cell_data, number_of_VTU_cells(mesh, content), "cells");
@@ -152,7 +159,7 @@ writes a mesh with data on it as an ASCII VTU file (XML UnstructuredGrid of VTK)
 \tparam TetrahedralMesh a model of `TetrahedralMesh_3`
 
 \returns `ERROR_COORDINATE_NOT_FINITE`, `ERROR_WRONG_PARAMETER` (the size of an array, a value that is not finite, or a
-marked vertex that does not exist) or `ERROR_CANNOT_WRITE_FILE`
+marked vertex or edge that does not exist) or `ERROR_CANNOT_WRITE_FILE`
 */
 template <typename TetrahedralMesh>
 Status write_VTU(std::ostream& os, const TetrahedralMesh& mesh, const VTU_content& content = {}) {

@@ -12,6 +12,7 @@
 
 #include <CGAL/Volume_mesh_parameterization/Compact_tetrahedral_mesh_3.h>
 
+#include <CGAL/Kernel_traits.h>
 #include <CGAL/enum.h>
 
 #include <algorithm>
@@ -23,6 +24,22 @@ namespace CGAL {
 namespace Volume_mesh_parameterization {
 namespace internal {
 
+// The barycentre of the points of a simplex, given by the numbers of its vertices.
+template <typename Point, typename Simplex>
+Point barycentre(const std::vector<Point>& points, const Simplex& simplex) {
+  using FT = typename Kernel_traits<Point>::Kernel::FT;
+  FT x(0), y(0), z(0);
+  int n = 0;
+  for (Vertex_index v : simplex) {
+    if (!v.is_valid()) break;
+    x += points[v].x();
+    y += points[v].y();
+    z += points[v].z();
+    ++n;
+  }
+  return Point(x / FT(n), y / FT(n), z / FT(n));
+}
+
 /*
 A tetrahedral mesh that can be refined by inserting the barycentre of an edge, a facet or a cell. Each facet of each
 cell carries its label, so that labels need no search. Cells around a vertex are kept as lists.
@@ -31,12 +48,12 @@ template <typename GeomTraits>
 class Splittable_mesh {
 public:
   using Mesh = Compact_tetrahedral_mesh_3<GeomTraits>;
-  using FT = typename GeomTraits::FT;
   using Point_3 = typename GeomTraits::Point_3;
   using Cell_vertices = typename Mesh::Cell_vertices;
   using Cell_labels = typename Mesh::Cell_labels;
 
-  explicit Splittable_mesh(const Mesh& mesh) : m_points(mesh.points()), m_stars(mesh.number_of_vertices()) {
+  explicit Splittable_mesh(const Mesh& mesh)
+      : m_points(mesh.points()), m_split_simplices(mesh.split_simplices()), m_stars(mesh.number_of_vertices()) {
     for (Cell_index c : mesh.cells()) {
       m_cells.push_back(mesh.cell(c));
       m_labels.push_back({mesh.label(c, 0), mesh.label(c, 1), mesh.label(c, 2), mesh.label(c, 3)});
@@ -44,7 +61,9 @@ public:
     }
   }
 
-  Status write_to(Mesh& mesh) && { return mesh.assign(std::move(m_points), std::move(m_cells), m_labels); }
+  Status write_to(Mesh& mesh) && {
+    return mesh.assign(std::move(m_points), std::move(m_cells), m_labels, std::move(m_split_simplices));
+  }
 
   const Point_3& point(Vertex_index v) const { return m_points[v]; }
   std::size_t number_of_cells() const { return m_cells.size(); }
@@ -59,13 +78,15 @@ public:
   template <typename OnChild>
   Status insert_barycentre(const std::vector<Vertex_index>& simplex, OnChild on_child) {
     const std::vector<Cell_index> star = cells_around(simplex);
-    const Point_3 barycentre = barycentre_of(simplex);
+    const Point_3 barycentre = internal::barycentre(m_points, simplex);
     for (Cell_index c : star)
       for (Vertex_index v : simplex)
         if (!is_positive_with(c, v, barycentre))
           return {ERROR_CANNOT_SPLIT, "tetrahedron " + std::to_string(c) + " at vertex " + std::to_string(v)};
     const Vertex_index m(m_points.size());
     m_points.push_back(barycentre);
+    m_split_simplices.emplace_back();
+    std::copy(simplex.begin(), simplex.end(), m_split_simplices.back().begin());
     m_stars.emplace_back();
     for (Cell_index c : star) split(c, simplex, m, on_child);
     return {};
@@ -86,17 +107,6 @@ private:
       if (std::all_of(simplex.begin(), simplex.end(), [&](Vertex_index v) { return slot(m_cells[c], v) < 4; }))
         result.push_back(c);
     return result;
-  }
-
-  Point_3 barycentre_of(const std::vector<Vertex_index>& simplex) const {
-    FT x(0), y(0), z(0);
-    for (Vertex_index v : simplex) {
-      x += m_points[v].x();
-      y += m_points[v].y();
-      z += m_points[v].z();
-    }
-    const FT n(static_cast<int>(simplex.size()));
-    return Point_3(x / n, y / n, z / n);
   }
 
   bool is_positive_with(Cell_index c, Vertex_index moved, const Point_3& p) const {
@@ -131,6 +141,7 @@ private:
   }
 
   std::vector<Point_3> m_points;
+  std::vector<typename Mesh::Simplex> m_split_simplices; // whose barycentres the last points are
   std::vector<Cell_vertices> m_cells;
   std::vector<Cell_labels> m_labels;
   std::vector<std::vector<Cell_index>> m_stars;

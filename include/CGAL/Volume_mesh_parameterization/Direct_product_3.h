@@ -1,0 +1,211 @@
+// Copyright (c) 2026  The Volume_mesh_parameterization authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_DIRECT_PRODUCT_3_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_DIRECT_PRODUCT_3_H
+
+#include <CGAL/license/Volume_mesh_parameterization.h>
+
+#include <CGAL/Volume_mesh_parameterization/Boundary_partition_3.h>
+#include <CGAL/Volume_mesh_parameterization/Compact_tetrahedral_mesh_3.h>
+#include <CGAL/Volume_mesh_parameterization/Curve_field_3.h>
+#include <CGAL/Volume_mesh_parameterization/Default_solver_traits_3.h>
+#include <CGAL/Volume_mesh_parameterization/Dual_potential_3.h>
+#include <CGAL/Volume_mesh_parameterization/Flux_field_3.h>
+#include <CGAL/Volume_mesh_parameterization/Harmonic_function_3.h>
+#include <CGAL/Volume_mesh_parameterization/Integral_curve_3.h>
+#include <CGAL/Volume_mesh_parameterization/Product_structure_3.h>
+#include <CGAL/Volume_mesh_parameterization/check_tetrahedral_mesh.h>
+#include <CGAL/Volume_mesh_parameterization/handlebody_certificate.h>
+#include <CGAL/Volume_mesh_parameterization/internal/for_each_index.h>
+#include <CGAL/Volume_mesh_parameterization/parameters.h>
+#include <CGAL/Volume_mesh_parameterization/prepare_patches.h>
+#include <CGAL/Volume_mesh_parameterization/sweep_with_repairs.h>
+#include <CGAL/Volume_mesh_parameterization/validate_partition.h>
+#include <CGAL/Volume_mesh_parameterization/verify_product.h>
+
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Volume_mesh_parameterization {
+
+/*!
+\ingroup PkgVolumeMeshParameterizationStructure
+
+is a handlebody with a labelled boundary as the direct product of its floor and an interval: checked, prepared, with the
+fields on it, swept, with the curves that join floor and ceiling. Every stage leaves its result here, so that what holds
+can be used even if a later stage fails.
+
+\tparam GeomTraits a model of `VolumeParameterizationTraits_3`
+\tparam Solver a model of `SparseLinearAlgebraWithFactorTraits_d`
+*/
+template <typename GeomTraits, typename Solver = Default_solver_traits_3>
+class Direct_product_3 {
+public:
+  using Mesh = Compact_tetrahedral_mesh_3<GeomTraits>;
+  using Point_3 = typename GeomTraits::Point_3;
+  using Harmonic_function = Harmonic_function_3<Mesh, Solver>;
+  using Dual_potential = Dual_potential_3<Mesh, Solver>;
+  using Flux_field = Flux_field_3<Mesh, Solver>;
+  using Product_structure = Product_structure_3<GeomTraits>;
+  using Curve_field = Curve_field_3<GeomTraits>;
+  using Curves = Integral_curves_3<GeomTraits>;
+
+  Direct_product_3() = default;
+  // The stages refer to each other.
+  Direct_product_3(const Direct_product_3&) = delete;
+  Direct_product_3& operator=(const Direct_product_3&) = delete;
+
+  /*!
+  builds the product stage by stage. The object may be used once.
+
+  \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; results do not depend on it.
+  For kernels whose `FT` is no floating point type, one thread does all.
+  \tparam TetrahedralMesh a model of `TetrahedralMesh_3`
+  \param mesh a handlebody whose boundary facets are labelled
+  \param np an optional sequence of named parameters among those of `parameterize()`
+
+  \returns the failure of the first stage that failed
+  */
+  template <typename ConcurrencyTag = Sequential_tag, typename TetrahedralMesh,
+            typename NamedParameters = CGAL::parameters::Default_named_parameters>
+  Status build(const TetrahedralMesh& mesh, const NamedParameters& np = CGAL::parameters::default_values()) {
+    auto visitor = visitor_of(np);
+    return build<ConcurrencyTag>(mesh, np, visitor);
+  }
+
+  /// \name Results
+  /// Pointers are null, and vectors empty, if their stage was not reached or failed.
+  /// @{
+
+  /// The mesh that all the others refer to: the input with the splits of `prepare_patches()`.
+  const Mesh& mesh() const { return m_mesh; }
+  const Boundary_partition_3& partition() const { return m_partition; }
+  const Preparation& preparation() const { return m_preparation; }
+  const Handlebody_certificate& handlebody_certificate() const { return m_certificate; }
+  const Harmonic_function* harmonic_function() const { return pointer(m_harmonic_function); }
+  const Dual_potential* dual_potential() const { return pointer(m_dual_potential); }
+  const Flux_field* flux_field() const { return pointer(m_flux_field); }
+  const Sweep_report& sweep_report() const { return m_sweep_report; }
+  const Product_structure* product_structure() const { return pointer(m_structure); }
+  const Curve_field* curve_field() const { return pointer(m_curve_field); }
+
+  /// @}
+
+  /// returns the integral curves.
+  /// \pre `curve_field()` is not null
+  Curves curves() const { return Curves(m_mesh, *m_curve_field); }
+
+protected:
+  template <typename NamedParameters>
+  static auto visitor_of(const NamedParameters& np) {
+    using CGAL::parameters::choose_parameter;
+    using CGAL::parameters::get_parameter;
+    return choose_parameter(get_parameter(np, CGAL::internal_np::visitor), Default_parameterization_visitor());
+  }
+
+  template <typename ConcurrencyTag, typename TetrahedralMesh, typename NamedParameters, typename Visitor>
+  Status build(const TetrahedralMesh& mesh, const NamedParameters& np, Visitor& visitor) {
+    using CGAL::parameters::choose_parameter;
+    using CGAL::parameters::get_parameter;
+    const Curve_type type = choose_parameter(get_parameter(np, internal_np::curve_type), CERTIFIED_CURVES);
+    const Level_function level = choose_parameter(get_parameter(np, internal_np::level_function), HARMONIC_LEVEL);
+    Status status;
+    const auto stage = [&](const char* name, const auto& function) {
+      if (status.ok()) status = internal::run_stage(visitor, name, function);
+    };
+    stage("check the mesh", [&] { return read(mesh); });
+    stage("validate the partition", [&] { return validate(); });
+    stage("prepare the patches", [&] { return prepare_patches(m_mesh, m_preparation); });
+    stage("solve for potential and flux, and sweep", [&] { return sweep_cells<ConcurrencyTag>(); });
+    stage("solve for the harmonic function", [&] { return solve(m_harmonic_function); });
+    stage("choose the curves", [&] { return choose_curves<ConcurrencyTag>(type, level); });
+    return status;
+  }
+
+  template <typename T>
+  static const T* pointer(const std::optional<T>& t) {
+    return t ? &*t : nullptr;
+  }
+
+private:
+  template <typename TetrahedralMesh>
+  Status read(const TetrahedralMesh& mesh) {
+    const Status status = m_mesh.assign(mesh);
+    return status.ok() ? check_tetrahedral_mesh(m_mesh) : status;
+  }
+
+  Status validate() {
+    Status status = validate_partition(m_mesh, m_partition);
+    if (status.ok()) status = certify_handlebody(m_mesh, m_certificate);
+    if (status.ok()) status = validate_fundamental_group(m_mesh, m_certificate);
+    return status;
+  }
+
+  template <typename Field>
+  Status solve(std::optional<Field>& field) {
+    field.reset();
+    Field solved(m_mesh);
+    const Status status = solved.solve();
+    if (status.ok()) field.emplace(std::move(solved));
+    return status;
+  }
+
+  template <typename ConcurrencyTag>
+  Status solve_for_guide() {
+    using Tag = internal::Concurrency_for<ConcurrencyTag, typename GeomTraits::FT>;
+    const auto solve_one = [this](std::size_t i) { return i == 0 ? solve(m_dual_potential) : solve(m_flux_field); };
+    const Status status = internal::try_each_index<Tag>(2, solve_one, 1);
+    if (!m_dual_potential) m_flux_field.reset(); // as if one were solved for after the other
+    return status;
+  }
+
+  // The order is checked by code that shares nothing with the sweep.
+  template <typename ConcurrencyTag>
+  Status sweep_cells() {
+    const auto guide = [this](const Mesh& mesh, Sweep_guide_3& result) {
+      const Status status = solve_for_guide<ConcurrencyTag>();
+      if (!status.ok()) return status;
+      result = Sweep_guide_3(m_dual_potential->values());
+      for (Cell_index c : mesh.cells()) result.signs.push_back(m_flux_field->signs(c));
+      return status;
+    };
+    Product_structure structure;
+    Status status = sweep_with_repairs(m_mesh, guide, structure, m_sweep_report);
+    if (status.ok()) status = verify_product(m_mesh, structure.order());
+    if (status.ok()) m_structure.emplace(std::move(structure));
+    return status;
+  }
+
+  template <typename ConcurrencyTag>
+  Status choose_curves(Curve_type type, Level_function level) {
+    if (type == CERTIFIED_CURVES)
+      m_curve_field.emplace(m_mesh, *m_structure, *m_flux_field, *m_harmonic_function, level,
+                            Curve_field::default_least_slope, ConcurrencyTag());
+    else
+      m_curve_field.emplace(m_mesh, *m_flux_field, *m_harmonic_function, level);
+    return {};
+  }
+
+  Mesh m_mesh;
+  Boundary_partition_3 m_partition;
+  Handlebody_certificate m_certificate;
+  Preparation m_preparation;
+  std::optional<Harmonic_function> m_harmonic_function;
+  std::optional<Dual_potential> m_dual_potential;
+  std::optional<Flux_field> m_flux_field;
+  Sweep_report m_sweep_report;
+  std::optional<Product_structure> m_structure;
+  std::optional<Curve_field> m_curve_field;
+};
+
+} // namespace Volume_mesh_parameterization
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_DIRECT_PRODUCT_3_H

@@ -1,0 +1,108 @@
+// Copyright (c) 2026  The Volume_mesh_parameterization authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_POLYCUBE_3_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_POLYCUBE_3_H
+
+#include <CGAL/license/Volume_mesh_parameterization.h>
+
+#include <CGAL/Volume_mesh_parameterization/Base_point_3.h>
+#include <CGAL/Volume_mesh_parameterization/Cell_locator_3.h>
+#include <CGAL/Volume_mesh_parameterization/Direct_product_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Boundary_triangles.h>
+
+#include <optional>
+
+namespace CGAL {
+namespace Volume_mesh_parameterization {
+
+/*!
+\ingroup PkgVolumeMeshParameterizationMap
+
+is a polycube given by the user, with its own product structure: a point is given by the point of the floor that its curve
+comes from, and its share of the level that the curve gains.
+
+\cgalModels{ParameterDomain_3}
+
+\tparam GeomTraits a model of `VolumeParameterizationTraits_3`
+\tparam Solver a model of `SparseLinearAlgebraWithFactorTraits_d`
+*/
+template <typename GeomTraits, typename Solver = Default_solver_traits_3>
+class Polycube_3 {
+public:
+  using Geom_traits = GeomTraits;
+  using FT = typename GeomTraits::FT;
+  using Point_3 = typename GeomTraits::Point_3;
+  using Floor_point = Base_point_3<GeomTraits>;
+  using Direct_product = Direct_product_3<GeomTraits, Solver>;
+
+  /*!
+  builds the product structure. The object may be used once.
+
+  \tparam TetrahedralMesh a model of `TetrahedralMesh_3`
+  \param mesh a handlebody whose boundary facets are orthogonal to the axes and labelled
+  \param np an optional sequence of named parameters, `visitor` and `level_function` of `parameterize()`
+
+  \returns `ERROR_NOT_A_POLYCUBE`, or the errors of `Direct_product_3::build()`
+  */
+  template <typename TetrahedralMesh, typename NamedParameters = CGAL::parameters::Default_named_parameters>
+  Status build(const TetrahedralMesh& mesh, const NamedParameters& np = CGAL::parameters::default_values()) {
+    Status status = check_axes(mesh);
+    if (status.ok()) status = m_product.build(mesh, np);
+    if (status.ok()) m_locator.emplace(m_product.mesh());
+    return status;
+  }
+
+  bool is_valid() const { return m_locator.has_value(); }
+
+  const Direct_product& product() const { return m_product; }
+  /// returns the polycube with the splits that the sweep needed.
+  const Compact_tetrahedral_mesh_3<GeomTraits>& mesh() const { return m_product.mesh(); }
+
+  /// computes the curve that starts at `foot`.
+  Status curve_over(const Floor_point& foot, Integral_curve_3<GeomTraits>& curve) const {
+    return m_product.curves().trace_curve(foot, curve);
+  }
+
+  /// computes the point of the curve from `foot` at which the share `w` of the level is gained.
+  Status point(const Floor_point& foot, const FT& w, Point_3& result) const {
+    Integral_curve_3<GeomTraits> curve;
+    const Status status = curve_over(foot, curve);
+    if (status.ok()) result = curve.at(w * curve.total_level()).point(mesh());
+    return status;
+  }
+
+  /// computes the foot of the curve through `p`, and the share of the level that the curve has gained there.
+  /// \returns `ERROR_OUTSIDE`
+  Status locate(const Point_3& p, Floor_point& foot, FT& w) const {
+    Location_3<GeomTraits> at;
+    Floor_point top;
+    FT below, above;
+    Status status = m_locator->locate(p, at);
+    if (status.ok()) status = m_product.curves().trace_to_base(at, DOWN, foot, below);
+    if (status.ok()) status = m_product.curves().trace_to_base(at, UP, top, above);
+    if (status.ok()) w = below / (below + above);
+    return status;
+  }
+
+private:
+  template <typename TetrahedralMesh>
+  static Status check_axes(const TetrahedralMesh& mesh) {
+    Compact_tetrahedral_mesh_3<GeomTraits> copy;
+    internal::Boundary_triangles<GeomTraits> boundary;
+    const Status status = copy.assign(mesh);
+    return status.ok() ? boundary.collect(copy, copy.points(), internal::Any_label(), ERROR_NOT_A_POLYCUBE) : status;
+  }
+
+  Direct_product m_product;
+  std::optional<Cell_locator_3<GeomTraits>> m_locator;
+};
+
+} // namespace Volume_mesh_parameterization
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_POLYCUBE_3_H

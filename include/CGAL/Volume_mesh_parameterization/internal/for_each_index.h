@@ -1,0 +1,82 @@
+// Copyright (c) 2026  The Volume_mesh_parameterization authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_FOR_EACH_INDEX_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_FOR_EACH_INDEX_H
+
+#include <CGAL/license/Volume_mesh_parameterization.h>
+
+#include <CGAL/Volume_mesh_parameterization/Error_code.h>
+
+#include <CGAL/tags.h>
+
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+#include <tbb/partitioner.h>
+#endif
+
+#include <atomic>
+#include <cstddef>
+#include <mutex>
+#include <type_traits>
+#include <utility>
+
+namespace CGAL {
+namespace Volume_mesh_parameterization {
+namespace internal {
+
+// The tag to use for numbers of type FT: others than plain ones evaluate lazily, with shared memory behind them, which is
+// not safe for threads in all versions of CGAL.
+template <typename ConcurrencyTag, typename FT>
+using Concurrency_for = std::conditional_t<std::is_floating_point<FT>::value, ConcurrencyTag, Sequential_tag>;
+
+// Calls f(i) for all i less than n, in parallel in blocks of fixed size if the tag says so: the order of the calls may
+// vary, nothing else.
+template <typename ConcurrencyTag, typename Function>
+void for_each_index(std::size_t n, const Function& f, std::size_t block = 64) {
+  constexpr bool is_parallel = std::is_convertible<ConcurrencyTag, Parallel_tag>::value;
+#ifdef CGAL_LINKED_WITH_TBB
+  if constexpr (is_parallel) {
+    const auto run = [&](const tbb::blocked_range<std::size_t>& range) {
+      for (std::size_t i = range.begin(); i < range.end(); ++i) f(i);
+    };
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, n, block), run, tbb::simple_partitioner());
+    return;
+  }
+#else
+  static_assert(!is_parallel, "Parallel_tag is enabled but TBB is unavailable.");
+  static_cast<void>(block);
+#endif
+  for (std::size_t i = 0; i < n; ++i) f(i);
+}
+
+// The same for an f that returns a Status; returns the failure of the least i, whatever the number of threads. Once one
+// has failed, greater ones may be left out.
+template <typename ConcurrencyTag, typename Function>
+Status try_each_index(std::size_t n, const Function& f, std::size_t block = 64) {
+  std::atomic<std::size_t> failed(n);
+  Status failure;
+  std::mutex mutex;
+  const auto attempt = [&](std::size_t i) {
+    if (i > failed) return;
+    Status status = f(i);
+    if (status.ok()) return;
+    const std::lock_guard<std::mutex> lock(mutex);
+    if (i > failed) return;
+    failed = i;
+    failure = std::move(status);
+  };
+  for_each_index<ConcurrencyTag>(n, attempt, block);
+  return failure;
+}
+
+} // namespace internal
+} // namespace Volume_mesh_parameterization
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_FOR_EACH_INDEX_H
