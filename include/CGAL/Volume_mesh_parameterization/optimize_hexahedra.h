@@ -35,8 +35,12 @@ namespace Volume_mesh_parameterization {
 tells `optimize_hexahedra()` how far to go.
 */
 struct Hexahedra_optimization {
-  int most_sweeps = 100; ///< over all nodes, in each of at most eight passes; most passes end after 5 to 30
-  double target = 0.2;   ///< the least scaled Jacobian for which even sizes and the mean are given up
+  int most_sweeps =
+      100; ///< over all nodes, in each of at most nine passes; a node takes part while one around it moves
+  double target = 0.3; ///< the least scaled Jacobian for which even sizes and the mean are given up
+  /// whether nodes of a rim, where that is no crease, may leave it for the patches at its sides, and nodes of these may
+  /// cross it
+  bool slides_over_smooth_rims = false;
 };
 
 namespace internal {
@@ -70,6 +74,7 @@ Status check_labels(const Hexahedron_soup_3<Point>& hexahedra) {
 // Nodes of quadrilaterals with one label move on that patch, with two on the rim between them, others freely.
 template <typename Point>
 Status find_carriers(const Carriers_3& carriers, const Hexahedron_soup_3<Point>& hexahedra,
+                     const std::vector<Eigen::Vector3d>& nodes,
                      std::vector<Carriers_3::Handle>& carrier_of_node) {
   constexpr int none = (std::numeric_limits<int>::max)();
   std::vector<std::pair<int, int>> labels(hexahedra.points.size(), {none, -none}); // least and greatest
@@ -82,7 +87,7 @@ Status find_carriers(const Carriers_3& carriers, const Hexahedron_soup_3<Point>&
         return {ERROR_WRONG_PARAMETER, "vertex " + std::to_string(v) + " lies on three patches"};
   carrier_of_node.resize(labels.size());
   for (std::size_t v = 0; v < labels.size(); ++v)
-    if (labels[v].first != none && !carriers.find(labels[v], carrier_of_node[v]))
+    if (labels[v].first != none && !carriers.find(labels[v], nodes[v], carrier_of_node[v]))
       return {ERROR_WRONG_PARAMETER, "the labels " + std::to_string(labels[v].first) + " and " +
                                          std::to_string(labels[v].second) + " of vertex " +
                                          std::to_string(v) + " do not meet on the solid"};
@@ -96,10 +101,11 @@ Status find_carriers(const Carriers_3& carriers, const Hexahedron_soup_3<Point>&
 
 moves the nodes of a hexahedral mesh so that no hexahedron is inverted and the least scaled Jacobian is large. Nodes in
 the interior are free; those on a patch of the boundary stay on it, and those on the rim between two patches on that rim,
-up to rounding.
+up to rounding. With `slides_over_smooth_rims`, rims count only where the surface has a crease; elsewhere nodes move on
+the patches of both sides as on one, and labels tell where nodes were, not where they are.
 
-The number of inverted hexahedra, by exact orientations of corners, never increases, but nothing warrants that it becomes
-zero: where the solid is smooth at a rim, the scaled Jacobian tends to zero under refinement. If in the end neither
+Nothing warrants that no hexahedron is inverted in the end: where the solid is smooth at a rim, the scaled Jacobian tends
+to zero under refinement, unless there is a layer of hexahedra as `pillow_hexahedra()` makes it. If in the end neither
 fewer hexahedra are inverted nor the least scaled Jacobian is larger, the mesh is left as it was. The result is the
 same in each run. Use `verify_hexahedra()` for measures before and after.
 
@@ -125,18 +131,17 @@ Status optimize_hexahedra(const Compact_tetrahedral_mesh_3<GeomTraits>& object,
   const Hexahedra_report before = verify_hexahedra(hexahedra);
   for (Error_code code : {ERROR_EMPTY_MESH, ERROR_INDEX_OUT_OF_RANGE, ERROR_COORDINATE_NOT_FINITE})
     if (before.status.code() == code) return before.status;
-  internal::Carriers_3 carriers;
-  std::vector<internal::Carriers_3::Handle> carrier_of_node;
-  Status status = internal::check_labels(hexahedra);
-  if (status.ok()) status = carriers.build(object);
-  if (status.ok()) status = internal::find_carriers(carriers, hexahedra, carrier_of_node);
-  if (!status.ok()) return status;
-
   std::vector<Eigen::Vector3d> nodes;
   for (const Point& p : hexahedra.points) {
     const auto q = internal::approximate(p);
     nodes.emplace_back(q.x(), q.y(), q.z());
   }
+  internal::Carriers_3 carriers;
+  std::vector<internal::Carriers_3::Handle> carrier_of_node;
+  Status status = internal::check_labels(hexahedra);
+  if (status.ok()) status = carriers.build(object, !options.slides_over_smooth_rims);
+  if (status.ok()) status = internal::find_carriers(carriers, hexahedra, nodes, carrier_of_node);
+  if (!status.ok()) return status;
   internal::Hexahedra_optimizer optimizer(nodes, hexahedra.hexahedra, carrier_of_node);
   optimizer.run(options.most_sweeps, options.target);
 

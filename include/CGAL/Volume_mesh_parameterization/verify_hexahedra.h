@@ -12,6 +12,7 @@
 
 #include <CGAL/Volume_mesh_parameterization/Compact_tetrahedral_mesh_3.h>
 #include <CGAL/Volume_mesh_parameterization/Hexahedron_soup_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Hexahedron_facets.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Surface_topology.h>
 #include <CGAL/Volume_mesh_parameterization/internal/check_coordinates.h>
 
@@ -51,26 +52,13 @@ struct Hexahedra_report {
 
 namespace internal {
 
-// The cube with vertices 0 1 2 3 counterclockwise around its bottom and 4 5 6 7 above them.
-struct Reference_hexahedron {
-  /// The neighbours of each corner, positively oriented.
-  static constexpr int neighbors[8][3] = {{1, 3, 4}, {2, 0, 5}, {3, 1, 6}, {0, 2, 7},
-                                          {7, 5, 0}, {4, 6, 1}, {5, 7, 2}, {6, 4, 3}};
-  /// The four edges along each axis.
-  static constexpr int axis_edges[3][4][2] = {
-      {{0, 1}, {3, 2}, {4, 5}, {7, 6}}, {{0, 3}, {1, 2}, {4, 7}, {5, 6}}, {{0, 4}, {1, 5}, {2, 6}, {3, 7}}};
-  /// The facets, counterclockwise seen from outside.
-  static constexpr int facets[6][4] = {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4},
-                                       {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}};
-};
-
 template <typename Point>
 class Hexahedra_verifier {
   using Soup = Hexahedron_soup_3<Point>;
   using Cube = Reference_hexahedron;
   using Vector = Double_kernel::Vector_3;
   using Edge = std::array<std::size_t, 2>;
-  using Quadrilateral = std::array<std::size_t, 4>;
+  using Quadrilateral = Hexahedron_facets::Quadrilateral;
 
 public:
   explicit Hexahedra_verifier(const Soup& soup) : m_soup(soup) {}
@@ -78,9 +66,10 @@ public:
   Hexahedra_report report() && {
     if (!check_input()) return m_report;
     measure_quality();
-    const std::vector<Quadrilateral> boundary = check_facets();
-    check_boundary(boundary);
-    count_irregular(boundary);
+    const Hexahedron_facets facets(m_soup.hexahedra);
+    check_facets(facets);
+    check_boundary(facets.boundary);
+    count_irregular(facets.boundary);
     return m_report;
   }
 
@@ -151,27 +140,11 @@ private:
 
   // Topology.
 
-  // Counts facets in more than two hexahedra and returns those in one.
-  std::vector<Quadrilateral> check_facets() {
-    std::vector<std::pair<Quadrilateral, Quadrilateral>> facets; // sorted vertices, oriented vertices
-    facets.reserve(6 * m_soup.hexahedra.size());
-    for (const auto& v : m_soup.hexahedra)
-      for (const auto& f : Cube::facets) {
-        const Quadrilateral oriented = {v[f[0]], v[f[1]], v[f[2]], v[f[3]]};
-        facets.emplace_back(oriented, oriented);
-        std::sort(facets.back().first.begin(), facets.back().first.end());
-      }
-    std::sort(facets.begin(), facets.end());
-    std::vector<Quadrilateral> boundary;
-    for (std::size_t k = 0, end; k < facets.size(); k = end) {
-      for (end = k + 1; end < facets.size() && facets[end].first == facets[k].first;) ++end;
-      if (end - k == 1) boundary.push_back(facets[k].second);
-      m_report.non_manifold_facets += end - k > 2;
-    }
+  void check_facets(const Hexahedron_facets& facets) {
+    m_report.non_manifold_facets = facets.non_manifold;
     if (m_report.non_manifold_facets > 0)
       refuse(ERROR_NON_MANIFOLD,
              std::to_string(m_report.non_manifold_facets) + " facets are in more than two hexahedra");
-    return boundary;
   }
 
   void check_boundary(const std::vector<Quadrilateral>& boundary) {

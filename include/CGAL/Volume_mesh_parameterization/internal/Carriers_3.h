@@ -11,6 +11,7 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/Compact_tetrahedral_mesh_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Disjoint_sets.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Facet_adjacency.h>
 
 #include <CGAL/AABB_tree.h>
@@ -61,7 +62,8 @@ struct Foot_point {
   Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, 3> directions;
 };
 
-// What the nodes of a hexahedral mesh of a solid move on: the solid's patches, and the rims between two patches.
+// What the nodes of a hexahedral mesh of a solid move on: the solid's patches, and the rims between two patches. Where a
+// rim is smooth, it may be left out: then the patches on both sides are one.
 class Carriers_3 {
   using Kernel = Exact_predicates_inexact_constructions_kernel;
   using Point_3 = Kernel::Point_3;
@@ -87,32 +89,49 @@ public:
 
   // Returns `ERROR_NON_MANIFOLD` if the boundary of the solid is no surface.
   template <typename GeomTraits>
-  Status build(const Compact_tetrahedral_mesh_3<GeomTraits>& object) {
+  Status build(const Compact_tetrahedral_mesh_3<GeomTraits>& object, bool has_smooth_rims) {
     const Facet_adjacency surface = boundary_adjacency(object);
     if (!surface.status().ok()) return surface.status();
+    std::vector<Kernel::Triangle_3> triangles;
     const auto point = [&](Vertex_index v) { return to_point(approximate(object.point(v))); };
     for (Facet_index f : surface.facets()) {
-      const int label = object.label(f);
       const Facet_adjacency::Triangle& v = surface.triangle(f);
-      m_patches[{label, label}].shapes.emplace_back(point(v[0]), point(v[1]), point(v[2]));
-      for (int i = 0; i < 3; ++i) {
-        const int other = object.label(surface.neighbor(f, i));
-        if (label < other)
-          m_rims[{label, other}].shapes.emplace_back(point(v[(i + 1) % 3]), point(v[(i + 2) % 3]));
-      }
+      triangles.emplace_back(point(v[0]), point(v[1]), point(v[2]));
+      m_labels.push_back(object.label(f));
     }
+    std::sort(m_labels.begin(), m_labels.end());
+    m_labels.erase(std::unique(m_labels.begin(), m_labels.end()), m_labels.end());
+    m_regions = Disjoint_sets(m_labels.size());
+    for (Facet_index f : surface.facets())
+      for (int i = 0; i < 3; ++i) {
+        const Facet_index g = surface.neighbor(f, i);
+        const Labels labels(object.label(f), object.label(g));
+        if (labels.first >= labels.second) continue;
+        const bool is_rim = has_smooth_rims || is_crease(triangles[f], triangles[g]);
+        if (!is_rim) m_regions.join(index(labels.first), index(labels.second));
+        (is_rim ? m_rims : m_left_out)[labels].shapes.emplace_back(point(surface.source({f, i})),
+                                                                   point(surface.target({f, i})));
+      }
+    for (Facet_index f : surface.facets()) m_patches[region(object.label(f))].shapes.push_back(triangles[f]);
     for (auto& patch : m_patches) build_tree(patch.second);
-    for (auto& rim : m_rims) build_tree(rim.second);
+    for (auto* rims : {&m_rims, &m_left_out})
+      for (auto& rim : *rims) build_tree(rim.second);
     return {};
   }
 
-  // Returns false if the patches with these labels have no facet, or no edge, in common.
-  bool find(const std::pair<int, int>& labels, Handle& handle) const {
-    const auto patch = m_patches.find(labels);
-    const auto rim = m_rims.find(labels);
-    handle.patch = patch == m_patches.end() ? nullptr : &patch->second;
-    handle.rim = rim == m_rims.end() ? nullptr : &rim->second;
-    return handle.patch || handle.rim;
+  // The carrier of a node at p on patches with these labels. Returns false if there is no such patch, or no edge between
+  // the two.
+  bool find(const Labels& labels, const Eigen::Vector3d& p, Handle& handle) const {
+    if (!std::binary_search(m_labels.begin(), m_labels.end(), labels.first)) return false;
+    const auto rim = m_rims.find(labels), left_out = m_left_out.find(labels);
+    const bool has_rim = rim != m_rims.end(), has_left_out = left_out != m_left_out.end();
+    if (labels.first != labels.second && !has_rim && !has_left_out) return false;
+    handle = Handle();
+    if (has_rim && (!has_left_out || distance(rim->second, p) <= distance(left_out->second, p)))
+      handle.rim = &rim->second;
+    else
+      handle.patch = &m_patches.find(region(labels.first))->second;
+    return true;
   }
 
   // Returns the point nearest to p.
@@ -130,6 +149,25 @@ private:
   template <typename Vector>
   static Eigen::Vector3d to_vector(const Vector& v) {
     return {v.x(), v.y(), v.z()};
+  }
+
+  static bool is_crease(const Kernel::Triangle_3& t, const Kernel::Triangle_3& u) {
+    constexpr double least_cosine = 0.7; // of the angle between normals on a smooth surface
+    const auto normal = [](const Kernel::Triangle_3& triangle) {
+      return to_vector(CGAL::normal(triangle[0], triangle[1], triangle[2])).normalized();
+    };
+    return normal(t).dot(normal(u)) < least_cosine;
+  }
+
+  std::size_t index(int label) const {
+    return std::lower_bound(m_labels.begin(), m_labels.end(), label) - m_labels.begin();
+  }
+  // The patches that are one with that of a label, by the least of their labels.
+  int region(int label) const { return m_labels[m_regions.representative(index(label))]; }
+
+  template <typename AnyCarrier>
+  static double distance(const AnyCarrier& carrier, const Eigen::Vector3d& p) {
+    return (project(carrier, p).point - p).norm();
   }
 
   template <typename AnyCarrier>
@@ -155,8 +193,10 @@ private:
     return to_vector(s.to_vector()).normalized();
   }
 
-  std::map<Labels, Patch> m_patches;
-  std::map<Labels, Rim> m_rims;
+  std::vector<int> m_labels; // sorted
+  mutable Disjoint_sets m_regions{0};
+  std::map<int, Patch> m_patches;
+  std::map<Labels, Rim> m_rims, m_left_out; // parts of one rim may be in both
 };
 
 } // namespace internal

@@ -22,6 +22,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <utility>
 #include <vector>
 
@@ -68,7 +69,7 @@ private:
 };
 
 // Moves the nodes of a hexahedral mesh one by one, each on its carrier, by Newton steps that lessen the energy of the
-// corners around. No step increases the number of inverted hexahedra.
+// corners and centres of the hexahedra around.
 class Hexahedra_optimizer {
   using Cube = Reference_hexahedron;
   using Hexahedron = std::array<std::size_t, 8>;
@@ -83,36 +84,45 @@ public:
         m_hexahedra(hexahedra),
         m_carriers(carriers),
         m_stars(m_nodes.size(), hexahedra.size(), [&](std::size_t h) { return hexahedra[h]; }) {
-    for (const Hexahedron& h : hexahedra) m_inverted.push_back(is_inverted(h));
+    find_inverted();
   }
 
   // First with fixed rest lengths, which untangles and spreads the nodes. Then with the edges' own lengths as rest
   // lengths: only angles count, for by the inequality of means the energy is a bound, which the present nodes attain, for
-  // the same function of the scaled Jacobian. The power grows until `target` is reached, or is not worth it.
+  // the same function of the scaled Jacobian. The power grows until `target` is reached, or is not worth it. In the end the
+  // mean is looked after, and the worst hexahedra only kept from becoming worse.
   void run(int most_sweeps, double target) {
     constexpr double first_volume_weight = 0.8, last_volume_weight = 0.2;
     constexpr double first_powers[] = {1, 2, 4}, last_powers[] = {2, 4, 8, 16, 32};
     m_rest_lengths = smooth_lengths();
-    for (double power : first_powers) run_pass({power, first_volume_weight}, most_sweeps);
+    constexpr double untangling_gain = 1e-3, rough_gain = 1e-2, fine_gain = 1e-4;
+    for (double power : first_powers) run_pass({power, first_volume_weight}, most_sweeps, untangling_gain);
     m_has_rest_lengths = false;
     for (double power : last_powers) {
       const std::vector<Vector> old_nodes = m_nodes;
       const Badness old_badness = badness();
-      run_pass({power, last_volume_weight}, most_sweeps);
-      if (least_scaled_jacobian() >= target) return;
+      run_pass({power, last_volume_weight}, most_sweeps, rough_gain);
+      if (least_scaled_jacobian() >= target) break;
       if (power == last_powers[0] || badness() < old_badness) continue;
       m_nodes = old_nodes;
-      return;
+      break;
     }
+    find_inverted();
+    m_least_allowed = (std::min)(target, least_scaled_jacobian());
+    run_pass({1, last_volume_weight}, most_sweeps, fine_gain);
   }
 
   const std::vector<Vector>& nodes() const { return m_nodes; }
 
 private:
-  // The vertex of a corner, its three neighbors, and the rest lengths of the edges to these.
+  static constexpr int centre = 8;
+
+  // A corner of a hexahedron, or its centre, where the mean edge along each axis counts. With the rest lengths of the
+  // three edges, and the derivatives of the edges in these units by the position of the node that is about to move.
   struct Corner {
-    std::array<std::size_t, 4> nodes;
-    Vector rest_lengths;
+    const Hexahedron* nodes;
+    int place;
+    Vector rest_lengths, weights;
   };
 
   // The axis of the edge to each neighbor in Reference_hexahedron::neighbors.
@@ -155,23 +165,36 @@ private:
 
   // Energy.
 
-  Corner corner(std::size_t hexahedron, int vertex) const {
-    constexpr double least_ratio = 1e-3; // of a length to the rest length: edges may collapse
-    const Hexahedron& h = m_hexahedra[hexahedron];
-    Corner c{{h[vertex]}, {}};
+  Vector edge(const Hexahedron& h, int place, int k) const {
+    if (place != centre) return m_nodes[h[Cube::neighbors[place][k]]] - m_nodes[h[place]];
+    Vector sum = Vector::Zero();
+    for (const auto& e : Cube::axis_edges[k]) sum += m_nodes[h[e[1]]] - m_nodes[h[e[0]]];
+    return sum / 4;
+  }
+
+  // The derivative of that edge by the position of a vertex.
+  static double weight(int vertex, int place, int k) {
+    if (place != centre) return int(Cube::neighbors[place][k] == vertex) - int(place == vertex);
+    const auto& edges = Cube::axis_edges[k];
+    const auto ends_at_vertex = [vertex](const auto& e) { return e[1] == vertex; };
+    return std::any_of(std::begin(edges), std::end(edges), ends_at_vertex) ? 0.25 : -0.25;
+  }
+
+  Corner corner(std::size_t hexahedron, int place, int vertex) const {
+    constexpr double least_ratio = 0.2; // of a length to the rest length, lest edges collapse
+    Corner c{&m_hexahedra[hexahedron], place, {}, {}};
     for (int k = 0; k < 3; ++k) {
-      c.nodes[k + 1] = h[Cube::neighbors[vertex][k]];
-      const double rest = m_rest_lengths[hexahedron][neighbor_axes[vertex][k]];
-      const double length = (m_nodes[c.nodes[k + 1]] - m_nodes[c.nodes[0]]).norm();
-      c.rest_lengths[k] = m_has_rest_lengths ? rest : (std::max)(length, least_ratio * rest);
+      const double rest = m_rest_lengths[hexahedron][place == centre ? k : neighbor_axes[place][k]];
+      c.rest_lengths[k] =
+          m_has_rest_lengths ? rest : (std::max)(edge(*c.nodes, place, k).norm(), least_ratio * rest);
+      c.weights[k] = weight(vertex, place, k) / c.rest_lengths[k];
     }
     return c;
   }
 
   Matrix jacobian(const Corner& c) const {
     Matrix j;
-    for (int k = 0; k < 3; ++k)
-      j.col(k) = (m_nodes[c.nodes[k + 1]] - m_nodes[c.nodes[0]]) / c.rest_lengths[k];
+    for (int k = 0; k < 3; ++k) j.col(k) = edge(*c.nodes, c.place, k) / c.rest_lengths[k];
     return j;
   }
 
@@ -186,24 +209,21 @@ private:
     return sum;
   }
 
-  double total_energy() const {
-    double sum = 0;
-    for (std::size_t h = 0; h < m_hexahedra.size(); ++h)
-      for (int i = 0; i < 8; ++i) sum += energy(corner(h, i));
-    return sum;
-  }
-
   // Quality.
+
+  double scaled_jacobian(const Hexahedron& h) const {
+    double least = 1;
+    for (int place = 0; place <= centre; ++place) {
+      Matrix j;
+      for (int k = 0; k < 3; ++k) j.col(k) = edge(h, place, k).normalized();
+      least = (std::min)(least, j.determinant());
+    }
+    return least;
+  }
 
   double least_scaled_jacobian() const {
     double least = 1;
-    for (const Hexahedron& h : m_hexahedra)
-      for (int i = 0; i < 8; ++i) {
-        Matrix j;
-        for (int k = 0; k < 3; ++k)
-          j.col(k) = (m_nodes[h[Cube::neighbors[i][k]]] - m_nodes[h[i]]).normalized();
-        least = (std::min)(least, j.determinant());
-      }
+    for (const Hexahedron& h : m_hexahedra) least = (std::min)(least, scaled_jacobian(h));
     return least;
   }
 
@@ -216,7 +236,12 @@ private:
       const int* n = Cube::neighbors[i];
       if (CGAL::orientation(point(i), point(n[0]), point(n[1]), point(n[2])) != POSITIVE) return true;
     }
-    return false;
+    return !(scaled_jacobian(h) > 0); // the centre
+  }
+
+  void find_inverted() {
+    m_inverted.clear();
+    for (const Hexahedron& h : m_hexahedra) m_inverted.push_back(is_inverted(h));
   }
 
   // What is to be lessened: the number of inverted hexahedra, then the opposite of the least scaled Jacobian.
@@ -227,32 +252,44 @@ private:
 
   // Steps.
 
-  void run_pass(Corner_energy energy, int most_sweeps) {
-    constexpr double least_gain = 1e-3; // of the energy, in one sweep
+  // A node sleeps until one around it has gained a share of at least `least_gain` of the energy around.
+  void run_pass(Corner_energy energy, int most_sweeps, double least_gain) {
     constexpr double least_epsilon =
         0.05; // below it the energy is too steep for steps across kinks of carriers
     m_energy = energy;
-    for (int sweep = 0; sweep < most_sweeps; ++sweep) {
+    m_is_awake.assign(m_nodes.size(), 1);
+    bool some_moved = true;
+    for (int sweep = 0; sweep < most_sweeps && some_moved; ++sweep) {
       m_energy.epsilon = (std::max)(least_epsilon, -2 * least_scaled_jacobian());
-      const double old_energy = total_energy();
-      for (std::size_t v = 0; v < m_nodes.size(); ++v) move(sweep % 2 == 0 ? v : m_nodes.size() - 1 - v);
-      if (old_energy - total_energy() < least_gain * old_energy) return;
+      some_moved = false;
+      for (std::size_t k = 0; k < m_nodes.size(); ++k)
+        some_moved |= wake_and_move(sweep % 2 == 0 ? k : m_nodes.size() - 1 - k, least_gain);
     }
   }
 
-  // All corners that v belongs to.
+  bool wake_and_move(std::size_t v, double least_gain) {
+    if (!m_is_awake[v]) return false;
+    m_is_awake[v] = 0;
+    if (move(v) < least_gain) return false;
+    for (std::size_t h : m_stars[v])
+      for (std::size_t w : m_hexahedra[h]) m_is_awake[w] = 1;
+    return true;
+  }
+
+  // All corners and centres that depend on v.
   std::vector<Corner> corners_around(std::size_t v) const {
     std::vector<Corner> corners;
     for (std::size_t h : m_stars[v]) {
       const Hexahedron& nodes = m_hexahedra[h];
       const int i = int(std::find(nodes.begin(), nodes.end(), v) - nodes.begin());
-      corners.push_back(corner(h, i));
-      for (int n : Cube::neighbors[i]) corners.push_back(corner(h, n));
+      const int* n = Cube::neighbors[i];
+      for (int place : {i, n[0], n[1], n[2], centre + 0}) corners.push_back(corner(h, place, i));
     }
     return corners;
   }
 
-  void move(std::size_t v) {
+  // Returns which share of the energy around v is gained.
+  double move(std::size_t v) {
     constexpr int most_halvings = 5;
     const std::vector<Corner> corners = corners_around(v);
     const Vector start = m_nodes[v];
@@ -260,21 +297,25 @@ private:
     Vector step = newton_step(v, corners);
     for (int k = 0; k <= most_halvings; ++k, step /= 2) {
       m_nodes[v] = Carriers_3::project(m_carriers[v], start + step).point;
-      if (energy(corners) < old_energy && accept_star(v)) return;
+      const double new_energy = energy(corners);
+      if (new_energy < old_energy && accept_star(v)) return 1 - new_energy / old_energy;
     }
     m_nodes[v] = start;
+    return 0;
   }
 
-  // Takes note of the inverted hexahedra around v, unless they have become more.
+  // Takes note of the inverted hexahedra around v, unless they have become more, which is allowed only while untangling:
+  // there they are pushed on from hexahedron to hexahedron until there is room.
   bool accept_star(std::size_t v) {
     const auto star = m_stars[v];
     std::vector<char> inverted;
     int more = 0;
     for (std::size_t h : star) {
+      if (!(scaled_jacobian(m_hexahedra[h]) >= m_least_allowed)) return false;
       inverted.push_back(is_inverted(m_hexahedra[h]));
       more += inverted.back() - m_inverted[h];
     }
-    if (more > 0) return false;
+    if (more > 0 && !m_has_rest_lengths) return false;
     auto flag = inverted.begin();
     for (std::size_t h : star) m_inverted[h] = *flag++;
     return true;
@@ -285,7 +326,7 @@ private:
     constexpr double least_curvature = 1e-6; // of the greatest
     Vector gradient = Vector::Zero();
     Matrix hessian = Matrix::Zero();
-    for (const Corner& c : corners) add_derivatives(c, v, gradient, hessian);
+    for (const Corner& c : corners) add_derivatives(c, gradient, hessian);
     const auto basis = Carriers_3::project(m_carriers[v], m_nodes[v]).directions;
     using Small_matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 3, 3>;
     const Eigen::SelfAdjointEigenSolver<Small_matrix> modes(
@@ -301,15 +342,15 @@ private:
   }
 
   // d is affine in the position of one node, q is quadratic.
-  void add_derivatives(const Corner& c, std::size_t v, Vector& gradient, Matrix& hessian) const {
+  void add_derivatives(const Corner& c, Vector& gradient, Matrix& hessian) const {
     const Matrix j = jacobian(c);
     Vector dq = Vector::Zero(), dd = Vector::Zero();
     double hq = 0;
     for (int k = 0; k < 3; ++k) {
-      const double weight = (int(c.nodes[k + 1] == v) - int(c.nodes[0] == v)) / c.rest_lengths[k];
-      dq += 2. / 3 * weight * j.col(k);
-      dd += weight * j.col((k + 1) % 3).cross(j.col((k + 2) % 3));
-      hq += 2. / 3 * weight * weight;
+      const double w = c.weights[k];
+      dq += 2. / 3 * w * j.col(k);
+      dd += w * j.col((k + 1) % 3).cross(j.col((k + 2) % 3));
+      hq += 2. / 3 * w * w;
     }
     const Corner_energy::Derivatives e = m_energy.derivatives(j.squaredNorm() / 3, j.determinant());
     gradient += e.q * dq + e.d * dd;
@@ -321,9 +362,10 @@ private:
   const std::vector<Hexahedron>& m_hexahedra;
   const std::vector<Carriers_3::Handle>& m_carriers;
   Incidence_lists<std::size_t, std::size_t> m_stars; // the hexahedra around each node
-  std::vector<char> m_inverted;
-  std::vector<Vector> m_rest_lengths; // of each hexahedron along its three axes
-  bool m_has_rest_lengths = true;     // else an edge's own length serves
+  std::vector<char> m_inverted, m_is_awake;          // hexahedra; nodes
+  std::vector<Vector> m_rest_lengths;                // of each hexahedron along its three axes
+  bool m_has_rest_lengths = true;                    // else an edge's own length serves
+  double m_least_allowed = -1;                       // scaled Jacobian
   Corner_energy m_energy;
 };
 
