@@ -6,8 +6,13 @@
 #include <CGAL/Volume_mesh_parameterization/IO/read_surface.h>
 #include <CGAL/Volume_mesh_parameterization/check_surface.h>
 #include <CGAL/Volume_mesh_parameterization/check_tetrahedral_mesh.h>
+#include <CGAL/Volume_mesh_parameterization/make_triangle_soup.h>
 #include <CGAL/Volume_mesh_parameterization/partition_and_tetrahedralize.h>
 #include <CGAL/Volume_mesh_parameterization/tetrahedralize.h>
+
+#include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -22,6 +27,19 @@ std::string extension(const std::string& file) {
   std::string e = std::filesystem::path(file).extension().string();
   std::transform(e.begin(), e.end(), e.begin(), [](unsigned char c) { return std::tolower(c); });
   return e;
+}
+
+// Cuts faces with more than three vertices into triangles.
+Status read_polygons(const std::string& file, Surface& surface) {
+  CGAL::Surface_mesh<Point_3> mesh;
+  if (!CGAL::IO::read_polygon_mesh(file, mesh) || !CGAL::Polygon_mesh_processing::triangulate_faces(mesh))
+    return {VMP::ERROR_NOT_TRIANGULATED, file + ": the polygons cannot be cut into triangles that make a surface"};
+  return VMP::make_triangle_soup(mesh, surface);
+}
+
+Status read_triangles(const std::string& file, Surface& surface) {
+  const Status status = VMP::IO::read_surface(file, surface);
+  return status.code() == VMP::ERROR_NOT_TRIANGULATED ? read_polygons(file, surface) : status;
 }
 
 Status read_soup(const std::string& file, Soup& soup) {
@@ -70,7 +88,7 @@ bool is_surface_file(const std::string& file) {
 }
 
 Status read_surface(const std::string& file, Surface& surface) {
-  const Status status = VMP::IO::read_surface(file, surface);
+  const Status status = read_triangles(file, surface);
   return status.ok() ? VMP::check_surface(surface) : status;
 }
 
@@ -86,7 +104,7 @@ Status read_tetrahedra(const std::string& file, Mesh& mesh) {
 Status read_points(const std::string& file, std::vector<Point_3>& points) {
   Surface surface;
   Soup soup;
-  const Status status = is_surface_file(file) ? VMP::IO::read_surface(file, surface) : read_soup(file, soup);
+  const Status status = is_surface_file(file) ? read_triangles(file, surface) : read_soup(file, soup);
   points = is_surface_file(file) ? std::move(surface.points) : std::move(soup.points);
   return status;
 }
