@@ -61,8 +61,8 @@ verdict="everything that is written holds"
 "$handlebody" verify "$result" || { status=$? verdict="NOT everything holds, see the messages above"; }
 
 if [ "$pictures" = yes ]; then
-  install python3-vtk9 xvfb xauth
-  xvfb-run -a python3 "$root/scripts/make_pictures.py" "$result"
+  install python3-vtk9 python3-numpy xvfb xauth
+  xvfb-run -a /usr/bin/python3 "$root/scripts/make_pictures.py" "$result"
 fi
 
 cells=$(count Tetrahedra "$result/object.mesh")
