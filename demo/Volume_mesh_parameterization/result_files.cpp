@@ -35,25 +35,26 @@ struct Curve_collection {
 constexpr std::size_t about_curves = 120;
 
 // Floor points over a grid of the domain, so that rims and corners have their curves too.
-std::vector<Kernel::Point_2> some_feet(const VMP::Prism_3<Kernel>& domain) {
-  const VMP::Prism_grid grid = VMP::prism_grid_of_size(domain, about_curves);
-  std::vector<Kernel::Point_2> points;
+std::vector<Kernel::Point_2> some_feet(const VMP::Product_map_3<Kernel, Prism_floor_map>& map) {
+  const VMP::Prism_grid grid = VMP::prism_grid_of_size(map.domain(), about_curves);
+  std::vector<Kernel::Point_2> feet;
   for (double x : grid.x)
     for (double y : grid.y)
-      if (domain.bounded_side(Kernel::Point_2(x, y)) != CGAL::ON_UNBOUNDED_SIDE) points.emplace_back(x, y);
-  return points;
+      if (map.domain().bounded_side(Kernel::Point_2(x, y)) != CGAL::ON_UNBOUNDED_SIDE) feet.emplace_back(x, y);
+  return feet;
 }
 
-// The middles of some triangles of the floor, and vertices on its rim.
-std::vector<VMP::Base_point_3<Kernel>> some_feet(const Polycube& domain) {
-  std::vector<VMP::Base_point_3<Kernel>> all, some;
-  for (VMP::Facet_index f : domain.mesh().boundary_facets()) {
-    if (domain.mesh().label(f) != VMP::FLOOR) continue;
+// Below the middles and the vertices of some triangles of the floor of the solid.
+std::vector<VMP::Base_point_3<Kernel>> some_feet(const VMP::Product_map_3<Kernel, Given_boundary_map>& map) {
+  std::vector<VMP::Base_point_3<Kernel>> all, feet;
+  const Mesh& mesh = map.curves().mesh();
+  for (VMP::Facet_index f : mesh.boundary_facets()) {
+    if (mesh.label(f) != VMP::FLOOR) continue;
     all.push_back({f, {1. / 3, 1. / 3, 1. / 3}});
     all.push_back({f, {1, 0, 0}});
   }
-  for (std::size_t k = 0; k < all.size(); k += 1 + all.size() / about_curves) some.push_back(all[k]);
-  return some;
+  for (std::size_t k = 0; k < all.size(); k += 1 + all.size() / about_curves) feet.push_back(map.floor_map().image(all[k]));
+  return feet;
 }
 
 Status add_image(const VMP::Prism_3<Kernel>& domain, const Kernel::Point_2& foot, int number, Curve_collection& curves) {
@@ -72,7 +73,7 @@ template <typename FloorMap>
 Status write_some_curves(const Result_folder& folder, const VMP::Product_map_3<Kernel, FloorMap>& map) {
   Curve_collection collection;
   int number = 0;
-  for (const auto& foot : some_feet(map.domain())) {
+  for (const auto& foot : some_feet(map)) {
     VMP::Integral_curve_3<Kernel> curve;
     Status status = map.curve_over(foot, curve);
     if (status.ok()) status = add_image(map.domain(), foot, number, collection);

@@ -66,7 +66,7 @@ def draw_cut(result):
     mesh = result.mesh
     view = cut_view(mesh)
     skin = outer_surface(view.cut_open(mesh.grid("u", "v", "w")))
-    steps = checker_steps(result.domain_points)
+    steps = checker_steps(result.domain_points, result.domain_height)
     for name, step in zip("uvw", steps):
         skin = split_at_multiples(skin, name, step)
     inside = polygon_means(skin, np.column_stack([vtk_to_numpy(skin.GetPointData().GetArray(name)) for name in "uvw"]))
@@ -181,11 +181,11 @@ def make_tubes(lines, colors, points):
     return [make_actor(run(tube, polydata))]
 
 
-def checker_steps(domain_points):
-    """16 squares along the floor, and layers of about the same height, at least 6; w grows from 0 to 1"""
+def checker_steps(domain_points, unit_of_w):
+    """16 squares along the floor, and layers of about the same height, at least 6"""
     length, width, height = np.ptp(domain_points, axis=0)
     side = max(length, width) / 16
-    return np.array([side, side, 1 / max(6, round(height / side))])
+    return np.array([side, side, height / unit_of_w / max(6, round(height / side))])
 
 
 def split_at_multiples(polydata, name, step):
