@@ -54,6 +54,7 @@
 #include <CGAL/Volume_mesh_parameterization/parameters.h>
 #include <CGAL/Volume_mesh_parameterization/partition_and_tetrahedralize.h>
 #include <CGAL/Volume_mesh_parameterization/partition_boundary.h>
+#include <CGAL/Volume_mesh_parameterization/partition_by_loops.h>
 #include <CGAL/Volume_mesh_parameterization/pillow_hexahedra.h>
 #include <CGAL/Volume_mesh_parameterization/prepare_patches.h>
 #include <CGAL/Volume_mesh_parameterization/propose_directions.h>

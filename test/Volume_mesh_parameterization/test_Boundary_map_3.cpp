@@ -75,7 +75,8 @@ class Given_domain_test {
   using Mesh = VMP::Compact_tetrahedral_mesh_3<Kernel>;
   using Polycube = VMP::Polycube_3<Kernel>;
   using Boundary_map = VMP::Boundary_map_3<Polycube>;
-  using Parameterizer = VMP::Direct_product_parameterizer_3<Kernel, VMP::Default_solver_traits_3, Boundary_map>;
+  using Parameterizer =
+      VMP::Direct_product_parameterizer_3<Kernel, VMP::Default_solver_traits_3, Boundary_map>;
 
 public:
   Given_domain_test(const Mesh& polycube, const Soup& straight_solid)
@@ -170,7 +171,8 @@ private:
       assert(status.ok());
       largest = (std::max)(largest, FT(CGAL::squared_distance(p.point(mesh), back.point(mesh))));
     }
-    std::cout << "round trips within " << std::sqrt(CGAL::to_double(largest)) << ", " << outside << " outside" << std::endl;
+    std::cout << "round trips within " << std::sqrt(CGAL::to_double(largest)) << ", " << outside << " outside"
+              << std::endl;
     assert(outside * 1000 <= points && (tolerance > 0 || outside == 0));
     assert(largest <= tolerance * tolerance);
   }
@@ -198,11 +200,108 @@ void test_holes(int holes) {
   Given_domain_test<Inexact>(polycube, shaped_block<Point_3>(Shape::PLAIN, holes, 3, 3)).run(2000, 1e-12);
 }
 
+// A block [0, 1] x [0, 3] x [0, 1], with floor and ceiling where the predicates want them, the rest a wall.
+template <typename Is_floor, typename Is_ceiling>
+VMP::Compact_tetrahedral_mesh_3<Inexact> labelled_block(int per_unit, const Is_floor& is_floor,
+                                                        const Is_ceiling& is_ceiling) {
+  VMP::Compact_tetrahedral_mesh_3<Inexact> mesh;
+  const VMP::Status status = mesh.assign(shaped_block<Inexact::Point_3>(Shape::PLAIN, 0, per_unit, per_unit));
+  assert(status.ok());
+  for (VMP::Facet_index f : mesh.boundary_facets()) {
+    const auto v = mesh.vertices(f);
+    const auto p = CGAL::centroid(mesh.point(v[0]), mesh.point(v[1]), mesh.point(v[2]));
+    if (mesh.label(f) == VMP::FLOOR && !is_floor(p)) mesh.set_label(f, VMP::FIRST_WALL);
+    if (mesh.label(f) == VMP::CEILING && !is_ceiling(p)) mesh.set_label(f, VMP::FIRST_WALL);
+  }
+  return mesh;
+}
+
+using Inexact_polycube = VMP::Polycube_3<Inexact>;
+using Inexact_map = VMP::Boundary_map_3<Inexact_polycube>;
+
+// Two patches in one plane: the facets of the solid must keep to their border, which may be subdivided in other places.
+void test_patches_in_one_plane() {
+  const auto everywhere = [](const Inexact::Point_3&) { return true; };
+  const auto to = [](double y) { return [y](const Inexact::Point_3& p) { return p.y() < y; }; };
+  const auto lower_half = [](const Inexact::Point_3& p) { return p.x() > p.y(); };
+  const auto code = [&](const auto& is_floor, const auto& is_ceiling) {
+    Inexact_polycube polycube;
+    VMP::Status status = polycube.build(labelled_block(2, is_floor, is_ceiling));
+    assert(status.ok());
+    VMP::Compact_tetrahedral_mesh_3<Inexact> mesh = labelled_block(3, everywhere, everywhere);
+    status = Inexact_map(polycube, mesh.points()).label_boundary(mesh);
+    std::cout << status.message() << std::endl;
+    const VMP::Compact_tetrahedral_mesh_3<Inexact> expected = labelled_block(3, is_floor, is_ceiling);
+    for (VMP::Facet_index f : mesh.boundary_facets())
+      assert(!status.ok() || mesh.label(f) == expected.label(f));
+    return status.code();
+  };
+  assert(code(to(2), to(1)) == VMP::OK);
+  assert(code(to(1.5), everywhere) == VMP::ERROR_BOUNDARY_MAP);
+  assert(code(everywhere, to(1.5)) == VMP::ERROR_BOUNDARY_MAP);
+  assert(code(lower_half, everywhere) == VMP::OK);
+}
+
+// The floor has a hole, whose rim is mapped to a slit on both sides: the images of its facets cover a square once.
+void test_slit() {
+  using Point_3 = Inexact::Point_3;
+  Inexact_polycube polycube;
+  VMP::Status status =
+      polycube.build(transformed(shaped_block<Point_3>(Shape::PLAIN, 0, 1, 1),
+                                 [](const Point_3& p) { return Point_3(3 * p.x(), p.y(), p.z()); }));
+  assert(status.ok());
+  VMP::Compact_tetrahedral_mesh_3<Inexact> mesh;
+  status = mesh.assign(shaped_block<Point_3>(Shape::PLAIN, 1, 1, 1));
+  assert(status.ok());
+  std::vector<Point_3> images = mesh.points();
+  for (Point_3& p : images)
+    if ((p.x() == 1 && p.y() == 2) || (p.x() == 2 && p.y() == 1)) p = Point_3(1.5, 1.5, p.z());
+  assert(Inexact_map(polycube, images).build(mesh).code() == VMP::ERROR_BOUNDARY_MAP);
+  assert(Inexact_map(polycube, images).label_boundary(mesh).code() == VMP::ERROR_BOUNDARY_MAP);
+}
+
+// What has to be known beforehand: the polycube, and an image for each vertex of the boundary.
+void test_missing() {
+  VMP::Compact_tetrahedral_mesh_3<Inexact> mesh = labelled_step<Inexact>(2);
+  Inexact_polycube polycube, not_built;
+  VMP::Status status = polycube.build(mesh);
+  assert(status.ok());
+  assert(Inexact_map(not_built, mesh.points()).label_boundary(mesh).code() == VMP::ERROR_BOUNDARY_MAP);
+  assert(Inexact_map(polycube, {}).build(mesh).code() == VMP::ERROR_BOUNDARY_MAP);
+  // a refined solid: the vertices of splits go to the barycentres of images
+  const std::vector<Inexact::Point_3> images = mesh.points();
+  VMP::Preparation counts;
+  status = prepare_patches(mesh, counts);
+  assert(status.ok() && mesh.number_of_vertices() > images.size());
+  assert(Inexact_map(polycube, images).label_boundary(mesh).ok() &&
+         Inexact_map(polycube, images).build(mesh).ok());
+}
+
 void test_no_polycube() {
-  VMP::Polycube_3<Inexact> polycube;
-  const VMP::Status status = polycube.build(shaped_block<Inexact::Point_3>(Shape::TWISTED, 0, 2, 2));
-  std::cout << status.message() << std::endl;
-  assert(status.code() == VMP::ERROR_NOT_A_POLYCUBE && !polycube.is_valid());
+  using Point_3 = Inexact::Point_3;
+  const auto code = [](const auto& soup) {
+    VMP::Polycube_3<Inexact> polycube;
+    const VMP::Status status = polycube.build(soup);
+    std::cout << status.message() << std::endl;
+    assert(!polycube.is_valid());
+    return status.code();
+  };
+  assert(code(shaped_block<Point_3>(Shape::TWISTED, 0, 2, 2)) == VMP::ERROR_NOT_A_POLYCUBE);
+  for (double wrong : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
+    auto soup = shaped_block<Point_3>(Shape::PLAIN, 0, 2, 2);
+    soup.points[0] = Point_3(0, wrong, 0);
+    assert(code(soup) == VMP::ERROR_COORDINATE_NOT_FINITE);
+  }
+  // a clamp with the gap [1, 1.5] between its jaws, which is closed, and then overlaps
+  const auto block = Block_with_holes<Point_3>(0, 1, 6, 3).soup();
+  const auto clamp = filtered(
+      block, [](double, double y, double z) { return z < 1 || z > 2 || y < 1 || (y > 2 && z > 1.5); });
+  for (double end : {1., 0.5}) {
+    const auto closed = [&](const Point_3& p) {
+      return p.y() >= 2 && p.z() == 1.5 ? Point_3(p.x(), p.y(), end) : p;
+    };
+    assert(code(transformed(clamp, closed)) == VMP::ERROR_NOT_A_POLYCUBE);
+  }
 }
 
 int main() {
@@ -211,6 +310,9 @@ int main() {
   step_test.test_refusals();
   for (int holes : {0, 1, 2}) test_holes(holes);
   Given_domain_test<Exact>(labelled_step<Exact>(2), step<Exact>(2)).run(50, 0);
+  test_patches_in_one_plane();
+  test_slit();
+  test_missing();
   test_no_polycube();
   return EXIT_SUCCESS;
 }

@@ -2,6 +2,7 @@
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Simple_cartesian.h>
 
+#include <CGAL/Volume_mesh_parameterization/Boundary_map_3.h>
 #include <CGAL/Volume_mesh_parameterization/IO/MEDIT.h>
 #include <CGAL/Volume_mesh_parameterization/IO/VTU.h>
 #include <CGAL/Volume_mesh_parameterization/parameterize.h>
@@ -14,8 +15,11 @@
 #include <cstdlib>
 #include <iostream>
 #include <list>
+#include <memory>
 #include <random>
 #include <sstream>
+#include <type_traits>
+#include <utility>
 
 namespace VMP = CGAL::Volume_mesh_parameterization;
 
@@ -40,7 +44,9 @@ public:
   std::size_t number_of_cells() const { return m_soup.cells.size(); }
   Point_3 point(std::size_t vertex) const { return m_soup.points[vertex]; }
   Cell_vertices cell(std::size_t c) const { return {&m_soup.cells[c]}; }
-  Labelled_facets labelled_facets() const { return Labelled_facets(m_soup.facets.begin(), m_soup.facets.end()); }
+  Labelled_facets labelled_facets() const {
+    return Labelled_facets(m_soup.facets.begin(), m_soup.facets.end());
+  }
 
 private:
   VMP::Tetrahedron_soup_3<Point_3> m_soup;
@@ -103,14 +109,117 @@ public:
     return true;
   }
 
-  bool linear_solver(const Matrix& a, const Vector& b, Vector& x, NT& d) { return factor(a, d) && linear_solver(b, x); }
+  bool linear_solver(const Matrix& a, const Vector& b, Vector& x, NT& d) {
+    return factor(a, d) && linear_solver(b, x);
+  }
 
 private:
   Matrix m_lu = Matrix(0);
 };
 
+// What the concept ParameterDomain_3 asks for and nothing else.
 template <typename Kernel>
-VMP::Location_3<Kernel> random_location(const VMP::Compact_tetrahedral_mesh_3<Kernel>& mesh, std::mt19937& random) {
+class Domain_archetype {
+  using Prism = VMP::Prism_3<Kernel>;
+
+public:
+  using Geom_traits = Kernel;
+  using FT = typename Kernel::FT;
+  using Point_3 = typename Kernel::Point_3;
+
+  class Floor_point {
+    typename Prism::Floor_point point;
+    template <typename>
+    friend class Domain_archetype;
+    template <typename>
+    friend class Floor_map_archetype;
+  };
+
+  explicit Domain_archetype(const Prism& prism) : m_prism(prism) {}
+  Domain_archetype(const Domain_archetype&) = delete;
+  Domain_archetype& operator=(const Domain_archetype&) = delete;
+
+  bool is_valid() const { return m_prism.is_valid(); }
+  VMP::Status point(const Floor_point& foot, const FT& w, Point_3& result) const {
+    return m_prism.point(foot.point, w, result);
+  }
+  VMP::Status locate(const Point_3& p, Floor_point& foot, FT& w) const {
+    return m_prism.locate(p, foot.point, w);
+  }
+
+private:
+  const Prism& m_prism;
+};
+
+// What the concept VolumeFloorMap_3 asks for and nothing else.
+template <typename Kernel>
+class Floor_map_archetype {
+  using Map = VMP::Floor_map_2<Kernel>;
+
+public:
+  using Geom_traits = Kernel;
+  using Domain = Domain_archetype<Kernel>;
+
+  explicit Floor_map_archetype(int)
+      : m_map(std::make_unique<Map>()), m_domain(std::make_unique<Domain>(m_map->domain())) {}
+
+  VMP::Status build(const VMP::Compact_tetrahedral_mesh_3<Kernel>& mesh) { return m_map->build(mesh); }
+  const Domain& domain() const { return *m_domain; }
+  typename Domain::Floor_point image(const VMP::Base_point_3<Kernel>& p) const {
+    typename Domain::Floor_point result;
+    result.point = m_map->image(p);
+    return result;
+  }
+  VMP::Status preimage(const typename Domain::Floor_point& foot, VMP::Base_point_3<Kernel>& p) const {
+    return m_map->preimage(foot.point, p);
+  }
+
+private:
+  std::unique_ptr<Map> m_map; // movable, not copyable
+  std::unique_ptr<Domain> m_domain;
+};
+
+// The models have what the concepts ask for.
+template <typename Domain>
+void check_domain() {
+  using Floor_point = typename Domain::Floor_point;
+  using Point_3 = typename Domain::Geom_traits::Point_3;
+  using FT = typename Domain::Geom_traits::FT;
+  static_assert(std::is_same<Point_3, typename Domain::Point_3>::value &&
+                std::is_same<FT, typename Domain::FT>::value);
+  static_assert(std::is_default_constructible<Floor_point>::value &&
+                std::is_copy_assignable<Floor_point>::value);
+  static_assert(std::is_same<bool (Domain::*)() const, decltype(&Domain::is_valid)>::value);
+  static_assert(std::is_same<VMP::Status (Domain::*)(const Floor_point&, const FT&, Point_3&) const,
+                             decltype(&Domain::point)>::value);
+  static_assert(std::is_same<VMP::Status (Domain::*)(const Point_3&, Floor_point&, FT&) const,
+                             decltype(&Domain::locate)>::value);
+}
+
+template <typename Floor_map>
+void check_floor_map() {
+  using Domain = typename Floor_map::Domain;
+  using Kernel = typename Floor_map::Geom_traits;
+  using Floor_point = typename Domain::Floor_point;
+  using Base_point = VMP::Base_point_3<Kernel>;
+  check_domain<Domain>();
+  static_assert(std::is_same<Kernel, typename Domain::Geom_traits>::value &&
+                std::is_move_constructible<Floor_map>::value);
+  using Map = const Floor_map&;
+  static_assert(std::is_same<const Domain&, decltype(std::declval<Map>().domain())>::value);
+  static_assert(
+      std::is_same<VMP::Status, decltype(std::declval<Floor_map&>().build(
+                                    std::declval<const VMP::Compact_tetrahedral_mesh_3<Kernel>&>()))>::value);
+  static_assert(std::is_convertible<decltype(std::declval<Map>().image(std::declval<const Base_point&>())),
+                                    Floor_point>::value);
+  static_assert(
+      std::is_same<VMP::Status, decltype(std::declval<Map>().preimage(std::declval<const Floor_point&>(),
+                                                                      std::declval<Base_point&>()))>::value);
+}
+
+template <typename Kernel>
+VMP::Location_3<Kernel> random_location(const VMP::Compact_tetrahedral_mesh_3<Kernel>& mesh,
+                                        std::mt19937& random) {
   using FT = typename Kernel::FT;
   std::array<int, 4> weights;
   int sum = 0;
@@ -119,6 +228,15 @@ VMP::Location_3<Kernel> random_location(const VMP::Compact_tetrahedral_mesh_3<Ke
   location.cell = VMP::Cell_index(random() % mesh.number_of_cells());
   for (int i = 0; i < 4; ++i) location.barycentric[i] = FT(weights[i]) / FT(sum);
   return location;
+}
+
+template <typename Kernel>
+void expect_inside(const VMP::Prism_3<Kernel>& domain, const typename Kernel::Point_3& p) {
+  assert(domain.bounded_side(p) != CGAL::ON_UNBOUNDED_SIDE);
+}
+template <typename Kernel>
+void expect_inside(const Domain_archetype<Kernel>& domain, const typename Kernel::Point_3&) {
+  assert(domain.is_valid());
 }
 
 // The inverse of the map returns to the start: to the point itself with an exact number type, else almost.
@@ -130,13 +248,25 @@ void test_round_trip(const Parameterizer& parameterizer, bool is_exact) {
   for (int k = 0; k < 100; ++k) {
     const auto start = random_location(mesh, random);
     auto end = start;
-    typename Parameterizer::Point_3 image;
+    typename Parameterizer::Point_3 image(0, 0, 0);
     expect(map.image(start, image), VMP::OK);
-    assert(parameterizer.floor_map()->domain().bounded_side(image) != CGAL::ON_UNBOUNDED_SIDE);
+    expect_inside(parameterizer.floor_map()->domain(), image);
     expect(map.preimage(image, end), VMP::OK);
     const auto p = start.point(mesh), q = end.point(mesh);
     assert(is_exact ? p == q : CGAL::squared_distance(p, q) < 1e-16);
   }
+}
+
+template <typename Kernel>
+void test_floor_map() {
+  using Floor_map = Floor_map_archetype<Kernel>;
+  check_floor_map<Floor_map>();
+  check_floor_map<VMP::Floor_map_2<Kernel>>();
+  check_floor_map<VMP::Boundary_map_3<VMP::Polycube_3<Kernel>>>();
+  const Mesh_archetype<Kernel> mesh(Block_with_holes<typename Kernel::Point_3>(1, 1, 1).soup());
+  VMP::Direct_product_parameterizer_3<Kernel, Dense_solver_traits, Floor_map> parameterizer(Floor_map(0));
+  expect(VMP::parameterize(mesh, parameterizer), VMP::OK);
+  test_round_trip(parameterizer, false);
 }
 
 template <typename Kernel>
@@ -167,6 +297,7 @@ void test_output() {
 int main() {
   test<CGAL::Simple_cartesian<double>>(false);
   test<CGAL::Exact_predicates_exact_constructions_kernel>(true);
+  test_floor_map<CGAL::Simple_cartesian<double>>();
   test_output();
   return EXIT_SUCCESS;
 }

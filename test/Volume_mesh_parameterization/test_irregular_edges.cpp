@@ -22,18 +22,23 @@ struct Parallel_flux {
       for (int i = 0; i < 4; ++i) {
         const auto v = mesh.vertices(VMP::Half_facet{c, i});
         const double outflow = direction * CGAL::normal(mesh.point(v[0]), mesh.point(v[1]), mesh.point(v[2]));
-        values.back()[i] = outflow < 0 ? 1 : -1;
+        values.back()[i] = outflow < 0 ? 1 : outflow > 0 ? -1 : 0;
       }
     }
   }
   const std::array<std::int8_t, 4>& signs(VMP::Cell_index c) const { return values[c]; }
 };
 
+// Along an axis or a diagonal it does not cross many facets of the plain block.
 void test_parallel_flux() {
-  Mesh mesh;
-  const VMP::Status status = mesh.assign(shaped_block<Kernel::Point_3>(Shape::JITTERED, 1, 3, 3));
-  assert(status.ok());
-  assert(VMP::irregular_edges(mesh, Parallel_flux(mesh, {0.3, 0.2, 0.9})).empty());
+  for (Shape shape : {Shape::JITTERED, Shape::PLAIN}) {
+    Mesh mesh;
+    const VMP::Status status = mesh.assign(shaped_block<Kernel::Point_3>(shape, 1, 3, 3));
+    assert(status.ok());
+    for (const Kernel::Vector_3& direction :
+         {Kernel::Vector_3(0.3, 0.2, 0.9), {0, 0, 1}, {1, 0, 0}, {1, 1, 0}, {1, 1, 1}})
+      assert(VMP::irregular_edges(mesh, Parallel_flux(mesh, direction)).empty());
+  }
 }
 
 // A turn around the axis of a regular double pyramid circles around the edge on the axis.
@@ -55,8 +60,13 @@ void test_vortex() {
   const auto edges = VMP::irregular_edges(mesh, flux);
   assert(edges.size() == 1 && edges[0].sign_changes == 0);
   assert(edges[0].vertices[0] == 0 && edges[0].vertices[1] == 1);
+  // it cannot circle past a facet that it does not cross
+  flux.values[0] = {0, 0, 1, 0}, flux.values[1] = {0, -1, 0, 0};
+  assert(VMP::irregular_edges(mesh, flux).empty());
   // in every second cell against the turn: as many changes as cells
-  for (std::size_t c = 0; c < n; ++c) flux.values[c] = c % 2 == 0 ? std::array<std::int8_t, 4>{0, 1, 1, -1} : std::array<std::int8_t, 4>{1, -1, -1, 0};
+  for (std::size_t c = 0; c < n; ++c)
+    flux.values[c] =
+        c % 2 == 0 ? std::array<std::int8_t, 4>{0, 1, 1, -1} : std::array<std::int8_t, 4>{1, -1, -1, 0};
   const auto saddles = VMP::irregular_edges(mesh, flux);
   assert(saddles.size() == 1 && saddles[0].sign_changes == int(n));
 }
@@ -65,7 +75,8 @@ void test_vortex() {
 void test_sweep() {
   for (Shape shape : {Shape::JITTERED, Shape::BENT, Shape::TWISTED}) {
     const Swept_solid<Kernel> solid(shaped_block<Kernel::Point_3>(shape, 1, 3, 4));
-    for (const VMP::Irregular_edge& e : VMP::irregular_edges(solid.mesh, solid.structure)) assert(e.sign_changes >= 4);
+    for (const VMP::Irregular_edge& e : VMP::irregular_edges(solid.mesh, solid.structure))
+      assert(e.sign_changes >= 4);
   }
 }
 

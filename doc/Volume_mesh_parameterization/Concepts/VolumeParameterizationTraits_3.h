@@ -30,6 +30,11 @@ The point type of the plane, as in a \cgal kernel.
 typedef unspecified_type Point_2;
 
 /*!
+The segment type of the plane, as in a \cgal kernel.
+*/
+typedef unspecified_type Segment_2;
+
+/*!
 The point type of space, as in a \cgal kernel.
 */
 typedef unspecified_type Point_3;
@@ -52,6 +57,13 @@ A function object with
 the exact sign of six times the volume of the tetrahedron.
 */
 typedef unspecified_type Orientation_3;
+
+/*!
+A function object with
+`CGAL::Comparison_result operator()(const Segment_2& s, const Segment_2& t) const`,
+the exact comparison of slopes. `Boundary_map_3` needs it.
+*/
+typedef unspecified_type Compare_slope_2;
 
 /// @}
 

@@ -14,6 +14,7 @@
 #include <CGAL/Volume_mesh_parameterization/Error_code.h>
 #include <CGAL/Volume_mesh_parameterization/Integral_curve_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Box_tree_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/check_coordinates.h>
 
 #include <CGAL/enum.h>
 #include <CGAL/number_utils.h>
@@ -50,11 +51,12 @@ public:
   finds the cell of least number that contains `p`, and the barycentric coordinates of `p` there. A coordinate is
   exactly zero if `p` lies on the opposite facet. With an exact number type the coordinates are exact.
 
-  \returns `ERROR_OUTSIDE`
+  \returns `ERROR_OUTSIDE`, also for coordinates that are not finite
 
   Complexity: \f$ O(\log n) \f$ in meshes of well shaped cells.
   */
   Status locate(const Point_3& p, Location& result) const {
+    if (!internal::has_finite_coordinates(p)) return outside(p); // exact predicates do not take them
     const std::size_t c = m_cells.find(p.bbox(), [&](std::size_t k) { return contains(Cell_index(k), p); });
     if (c == m_mesh->number_of_cells()) return outside(p);
     result = {Cell_index(c), barycentric(Cell_index(c), p)};

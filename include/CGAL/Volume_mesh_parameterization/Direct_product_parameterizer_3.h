@@ -31,7 +31,8 @@ to the map of the solid. Every stage leaves its result here, so that what holds 
 
 \tparam GeomTraits a model of `VolumeParameterizationTraits_3`
 \tparam Solver a model of `SparseLinearAlgebraWithFactorTraits_d`
-\tparam FloorMap `Floor_map_2`, which finds a prism for the solid, or `Boundary_map_3`, for a given polycube
+\tparam FloorMap a model of `VolumeFloorMap_3`: `Floor_map_2`, which finds a prism for the solid, or `Boundary_map_3`, for a
+given polycube
 */
 template <typename GeomTraits, typename Solver = Default_solver_traits_3, typename FloorMap = Floor_map_2<GeomTraits>>
 class Direct_product_parameterizer_3 : public Direct_product_3<GeomTraits, Solver> {

@@ -58,7 +58,7 @@ enum Error_code {
   ERROR_SWEEP_RULE,                ///< an order of tetrahedra breaks a rule of the sweep
   ERROR_CURVE_LOST,                ///< an integral curve did not arrive
   ERROR_FLOOR_MAP,                 ///< the floor could not be mapped one to one
-  ERROR_NOT_A_POLYCUBE,            ///< a boundary facet of the given domain is orthogonal to no axis
+  ERROR_NOT_A_POLYCUBE,            ///< a boundary facet of the given domain is orthogonal to no axis, or it meets itself
   ERROR_BOUNDARY_MAP,              ///< the given boundary map is not one to one onto the boundary of the domain
   ERROR_MAP_NOT_BIJECTIVE,         ///< the piecewise linear map flips a tetrahedron or does not cover its image once
   ERROR_INVERTED_HEXAHEDRON,       ///< a hexahedron has a corner that is not positive

@@ -44,6 +44,8 @@ with some edges bisected. It is checked by exact signs: each triangle is positiv
 monotonically along the sides, so the map is one to one. The floor is seen from inside: together with w upwards the map
 preserves orientation. With an exact number type `image()` and `preimage()` are inverse to the bit.
 
+\cgalModels{VolumeFloorMap_3}
+
 \tparam GeomTraits a model of `VolumeParameterizationTraits_3`
 */
 template <typename GeomTraits>

@@ -13,9 +13,13 @@
 #include <CGAL/Volume_mesh_parameterization/Base_point_3.h>
 #include <CGAL/Volume_mesh_parameterization/Cell_locator_3.h>
 #include <CGAL/Volume_mesh_parameterization/Direct_product_3.h>
+#include <CGAL/Volume_mesh_parameterization/check_tetrahedral_mesh.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary_triangles.h>
+#include <CGAL/Volume_mesh_parameterization/verify_map.h>
 
+#include <array>
 #include <optional>
+#include <vector>
 
 namespace CGAL {
 namespace Volume_mesh_parameterization {
@@ -44,14 +48,15 @@ public:
   builds the product structure. The object may be used once.
 
   \tparam TetrahedralMesh a model of `TetrahedralMesh_3`
-  \param mesh a handlebody whose boundary facets are orthogonal to the axes and labelled
+  \param mesh a handlebody whose boundary facets are orthogonal to the axes and labelled, and meet each other in common
+  vertices and edges only
   \param np an optional sequence of named parameters, `visitor` and `level_function` of `parameterize()`
 
   \returns `ERROR_NOT_A_POLYCUBE`, or the errors of `Direct_product_3::build()`
   */
   template <typename TetrahedralMesh, typename NamedParameters = CGAL::parameters::Default_named_parameters>
   Status build(const TetrahedralMesh& mesh, const NamedParameters& np = CGAL::parameters::default_values()) {
-    Status status = check_axes(mesh);
+    Status status = check_shape(mesh);
     if (status.ok()) status = m_product.build(mesh, np);
     if (status.ok()) m_locator.emplace(m_product.mesh());
     return status;
@@ -91,11 +96,21 @@ public:
 
 private:
   template <typename TetrahedralMesh>
-  static Status check_axes(const TetrahedralMesh& mesh) {
+  static Status check_shape(const TetrahedralMesh& mesh) {
     Compact_tetrahedral_mesh_3<GeomTraits> copy;
-    internal::Boundary_triangles<GeomTraits> boundary;
-    const Status status = copy.assign(mesh);
-    return status.ok() ? boundary.collect(copy, copy.points(), internal::Any_label(), ERROR_NOT_A_POLYCUBE) : status;
+    std::vector<std::array<Point_3, 3>> boundary;
+    Status status = copy.assign(mesh);
+    if (status.ok()) status = check_tetrahedral_mesh(copy);
+    if (status.ok())
+      status = internal::boundary_triangles(copy, copy.points(), ERROR_NOT_A_POLYCUBE, boundary);
+    return status.ok() ? check_embedding(copy) : status;
+  }
+
+  // Else a point of space would have several places in the polycube.
+  static Status check_embedding(const Compact_tetrahedral_mesh_3<GeomTraits>& mesh) {
+    const Status status = verify_map(mesh, mesh.points()).status;
+    const bool meets_itself = status.code() == ERROR_MAP_NOT_BIJECTIVE;
+    return meets_itself ? Status(ERROR_NOT_A_POLYCUBE, "it meets itself: " + status.detail()) : status;
   }
 
   Direct_product m_product;

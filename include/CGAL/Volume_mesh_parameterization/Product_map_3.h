@@ -33,7 +33,7 @@ If the curves of both solids are certified and the floor map is bijective, so is
 both directions are exact, and \f$ \varphi^{-1}(\varphi(p)) = p \f$.
 
 \tparam GeomTraits a model of `VolumeParameterizationTraits_3`
-\tparam FloorMap `Floor_map_2` or `Boundary_map_3`
+\tparam FloorMap a model of `VolumeFloorMap_3`
 */
 template <typename GeomTraits, typename FloorMap = Floor_map_2<GeomTraits>>
 class Product_map_3 {
@@ -68,7 +68,7 @@ public:
   /// \returns `ERROR_OUTSIDE` if q is not in P; `ERROR_CURVE_LOST`, for uncertified curves only
   Status preimage(const Point_3& q, Location& result) const {
     Floor_point foot;
-    FT share;
+    FT share(0);
     Integral_curve_3<GeomTraits> curve;
     Status status = domain().locate(q, foot, share);
     if (status.ok()) status = curve_over(foot, curve);

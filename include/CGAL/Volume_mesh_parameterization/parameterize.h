@@ -27,13 +27,17 @@ namespace Volume_mesh_parameterization {
 /*!
 \ingroup PkgVolumeMeshParameterizationRef
 
-maps a solid with a labelled boundary one to one onto a prism.
+maps a solid with a labelled boundary one to one onto a prism, or onto a given domain.
+
+For a given polycube, build a `Polycube_3`, make a `Boundary_map_3` of it and of the images of the vertices on the boundary,
+call its function `label_boundary()` for the mesh, and construct `result` with it.
 
 \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; results do not depend on it. For
   kernels whose `FT` is no floating point type, one thread does all.
 \tparam TetrahedralMesh a model of `TetrahedralMesh_3`
 \tparam GeomTraits a model of `VolumeParameterizationTraits_3`
 \tparam Solver a model of `SparseLinearAlgebraWithFactorTraits_d`
+\tparam FloorMap a model of `VolumeFloorMap_3`
 \tparam NamedParameters a sequence of named parameters
 
 \param mesh a handlebody whose boundary facets are labelled: 1 floor, 2 ceiling, 3 + k wall k. `partition_solid()` finds
@@ -61,12 +65,12 @@ labels for one that has none
 
 \returns the failure of the first stage that failed: the errors of `Compact_tetrahedral_mesh_3::assign()`,
 `check_tetrahedral_mesh()`, `validate_partition()`, `certify_handlebody()`, `validate_fundamental_group()`,
-`prepare_patches()`, `sweep()` and `Floor_map_2::build()`; `ERROR_CANNOT_SOLVE`; for `FLUX_CURVES` also
+`prepare_patches()`, `sweep()` and `FloorMap::build()`; `ERROR_CANNOT_SOLVE`; for `FLUX_CURVES` also
 `ERROR_CURVE_LOST`; `ERROR_CANCELLED` if the visitor stopped
 */
 template <typename ConcurrencyTag = Sequential_tag, typename TetrahedralMesh, typename GeomTraits, typename Solver,
-          typename NamedParameters = CGAL::parameters::Default_named_parameters>
-Status parameterize(const TetrahedralMesh& mesh, Direct_product_parameterizer_3<GeomTraits, Solver>& result,
+          typename FloorMap, typename NamedParameters = CGAL::parameters::Default_named_parameters>
+Status parameterize(const TetrahedralMesh& mesh, Direct_product_parameterizer_3<GeomTraits, Solver, FloorMap>& result,
                     const NamedParameters& np = CGAL::parameters::default_values()) {
   return result.template run<ConcurrencyTag>(mesh, np);
 }

@@ -11,11 +11,13 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/Compact_tetrahedral_mesh_3.h>
-#include <CGAL/Volume_mesh_parameterization/handlebody_certificate.h>
+#include <CGAL/Volume_mesh_parameterization/Error_code.h>
+#include <CGAL/Volume_mesh_parameterization/Tetrahedron_soup_3.h>
+#include <CGAL/Volume_mesh_parameterization/Triangle_soup_3.h>
 #include <CGAL/Volume_mesh_parameterization/partition_boundary.h>
+#include <CGAL/Volume_mesh_parameterization/partition_by_loops.h>
 #include <CGAL/Volume_mesh_parameterization/propose_directions.h>
 #include <CGAL/Volume_mesh_parameterization/tetrahedralize.h>
-#include <CGAL/Volume_mesh_parameterization/validate_partition.h>
 
 #include <cstddef>
 #include <string>
@@ -25,14 +27,6 @@
 namespace CGAL {
 namespace Volume_mesh_parameterization {
 namespace internal {
-
-// Whether the floor carries the fundamental group is the condition on a partition that only the solid can tell.
-template <typename GeomTraits>
-Status validate_solid(const Compact_tetrahedral_mesh_3<GeomTraits>& mesh) {
-  Handlebody_certificate certificate;
-  const Status status = certify_handlebody(mesh, certificate);
-  return status.ok() ? validate_fundamental_group(mesh, certificate) : status;
-}
 
 // Takes the first partition of `surface` with which the solid that make_solid(labelled surface, solid) makes is legal.
 template <typename Surface, typename MakeSolid, typename GeomTraits>
@@ -60,13 +54,22 @@ Status find_legal_solid(const Surface& surface, const std::vector<Sweep_directio
                                   (refusal.ok() ? found.detail() : refusal.message())};
 }
 
+// The last resort after `refusal`.
+template <typename GeomTraits>
+Status find_loops(const Status& refusal, const std::vector<Sweep_direction_3>& directions,
+                  Compact_tetrahedral_mesh_3<GeomTraits>& mesh, Sweep_direction_3* direction) {
+  const Status status = partition_by_loops(mesh, directions, direction);
+  if (status.code() != ERROR_NO_PARTITION) return status;
+  return {ERROR_NO_PARTITION, refusal.detail() + "; by loops: " + status.detail()};
+}
+
 } // namespace internal
 
 /*!
 \ingroup PkgVolumeMeshParameterizationPartition
 
 labels the boundary of `mesh` by the first legal partition along one of `directions`: one that passes
-`validate_partition()` and `validate_fundamental_group()`.
+`validate_partition()` and `validate_fundamental_group()`. If there is none, `partition_by_loops()` is the last resort.
 
 \tparam GeomTraits a model of `VolumeParameterizationTraits_3`
 
@@ -86,13 +89,16 @@ Status partition_solid(Compact_tetrahedral_mesh_3<GeomTraits>& mesh,
     solid = std::move(labelled);
     return Status();
   };
-  return internal::find_legal_solid(mesh, directions, take, mesh, direction);
+  const Status status = internal::find_legal_solid(mesh, directions, take, mesh, direction);
+  return status.code() == ERROR_NO_PARTITION ? internal::find_loops(status, directions, mesh, direction)
+                                             : status;
 }
 
 /*!
 \ingroup PkgVolumeMeshParameterizationPartition
 
-fills a surface with tetrahedra, its boundary labelled by the first legal partition along one of `directions`.
+fills a surface with tetrahedra, its boundary labelled by the first legal partition along one of `directions`, or by
+`partition_by_loops()` if there is none.
 
 \tparam GeomTraits a model of `VolumeParameterizationTraits_3`
 
@@ -116,7 +122,14 @@ Status partition_and_tetrahedralize(const Triangle_soup_3<typename GeomTraits::P
     const Status status = tetrahedralize(labelled, soup, number_of_cells);
     return status.ok() ? solid.assign(soup) : status;
   };
-  return internal::find_legal_solid(surface, directions, fill, mesh, direction);
+  Status status = internal::find_legal_solid(surface, directions, fill, mesh, direction);
+  if (status.code() != ERROR_NO_PARTITION || directions.empty()) return status;
+  Compact_tetrahedral_mesh_3<GeomTraits> solid;
+  const Status filled = fill(surface, solid);
+  if (!filled.ok()) return filled;
+  status = internal::find_loops(status, directions, solid, direction);
+  if (status.ok()) mesh = std::move(solid);
+  return status;
 }
 
 } // namespace Volume_mesh_parameterization

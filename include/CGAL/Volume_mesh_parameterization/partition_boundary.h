@@ -16,10 +16,10 @@
 #include <CGAL/Volume_mesh_parameterization/Triangle_soup_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Approximate_surface.h>
 #include <CGAL/Volume_mesh_parameterization/internal/cut_along_level.h>
+#include <CGAL/Volume_mesh_parameterization/internal/cut_walls.h>
 #include <CGAL/Volume_mesh_parameterization/internal/patch_cleanup.h>
 #include <CGAL/Volume_mesh_parameterization/internal/surface_fields.h>
 #include <CGAL/Volume_mesh_parameterization/propose_directions.h>
-#include <CGAL/Volume_mesh_parameterization/validate_partition.h>
 
 #include <algorithm>
 #include <array>
@@ -46,16 +46,6 @@ struct Partition_options {
 };
 
 namespace internal {
-
-// Whether floor, ceiling and walls of a surface are those of a product, as far as counting can tell.
-template <typename Surface>
-Status validate_labels(const Surface& surface) {
-  const Approximate_surface approximate = approximate_surface(surface);
-  const auto& labels = boundary_labels(surface);
-  return Partition_validator(approximate.adjacency, labels,
-                             summarize(approximate.adjacency, labels, approximate.areas))
-      .validate();
-}
 
 /*
 Labels a surface along directions. Two ways are tried:
@@ -91,24 +81,34 @@ private:
   // Walls at creases: the steep facets hardly depend on where steepness starts.
   static constexpr double least_steepness = .2, steepness = .4, largest_steepness = .6;
   static constexpr double undecided_share = .02;
-  // What isolines cut off may join a wall up to this share of the area; if it is more, the wall is too wide.
-  static constexpr double fragment_share = .005;
   // Normals are averaged over these shares of the area.
   static constexpr std::size_t number_of_averages = 5;
   static constexpr double averages[number_of_averages] = {1e-4, 3e-4, 1e-3, 3e-3, 1e-2};
 
+  // The cosine of the angle between the normal of a facet and the direction.
+  double rise(Facet_index f, const Vector_3& direction) const {
+    const double area = m_approximate.areas[f];
+    return area > 0 ? m_approximate.area_vector(f) * direction / area : 0;
+  }
+
   Status try_bands(const Vector_3& direction, Surface& result) const {
-    std::vector<int> labels;
     double undecided = 0;
     for (Facet_index f : m_approximate.adjacency.facets()) {
-      const double area = m_approximate.areas[f];
-      const double rise = area > 0 ? m_approximate.area_vector(f) * direction / area : 0;
-      labels.push_back(rise < -steepness ? FLOOR : rise > steepness ? CEILING : FIRST_WALL);
-      if (std::abs(rise) > least_steepness && std::abs(rise) < largest_steepness) undecided += area;
+      const double r = std::abs(rise(f, direction));
+      if (r > least_steepness && r < largest_steepness) undecided += m_approximate.areas[f];
     }
-    if (undecided > undecided_share * m_approximate.total_area)
-      return {ERROR_NO_PARTITION, "no creases set the walls off"};
-    return finish(m_surface, m_approximate, std::move(labels), m_options.island_share, result);
+    return undecided > undecided_share * m_approximate.total_area
+               ? Status(ERROR_NO_PARTITION, "no creases set the walls off")
+               : label_bands(direction, result);
+  }
+
+  Status label_bands(const Vector_3& direction, Surface& result) const {
+    std::vector<int> labels;
+    for (Facet_index f : m_approximate.adjacency.facets()) {
+      const double r = rise(f, direction);
+      labels.push_back(r < -steepness ? FLOOR : r > steepness ? CEILING : FIRST_WALL);
+    }
+    return label_patches(m_surface, m_approximate, std::move(labels), m_options.island_share, result);
   }
 
   Status try_isolines(const Vector_3& direction, std::size_t k, double wall_width, Surface& result) {
@@ -125,28 +125,13 @@ private:
   }
 
   const std::array<Vertex_field, 3>& normals(std::size_t k) {
-    if (m_normals[k][0].size() == 0) {
-      const Surface_diffusion diffusion(m_approximate, averages[k] * m_approximate.total_area);
-      m_normals[k] = integrated_normals(m_approximate);
-      for (Vertex_field& coordinate : m_normals[k]) coordinate = diffusion.average_of_integral(coordinate);
-    }
+    if (m_normals[k][0].size() == 0) m_normals[k] = averaged_normals(m_approximate, averages[k]);
     return m_normals[k];
   }
 
   Vertex_field average_rise(const Vector_3& d, std::size_t k) {
     const auto& n = normals(k);
     return d.x() * n[0] + d.y() * n[1] + d.z() * n[2];
-  }
-
-  // No facet has values on both sides of `level`.
-  static std::vector<int> labels_by_level(const Facet_adjacency& surface, const Vertex_field& values,
-                                          double level, int below, int above) {
-    std::vector<int> labels;
-    for (Facet_index f : surface.facets()) {
-      const auto& t = surface.triangle(f);
-      labels.push_back(std::min({values[t[0]], values[t[1]], values[t[2]]}) < level ? below : above);
-    }
-    return labels;
   }
 
   // A closed surface of genus n is cut into two disks with n holes if it falls into two parts with n + 1 loops between.
@@ -163,46 +148,6 @@ private:
                                         std::to_string(summary.genus)};
     }
     return {};
-  }
-
-  // The distance from the loops between floor and ceiling, as a share of the way to the middle of the base, negative on
-  // the floor. The mean distance of a strip is half of that way, hence the factor.
-  static Vertex_field relative_height(const Approximate_surface& surface, const std::vector<int>& labels) {
-    std::vector<double> side(surface.points.size(), 0);
-    std::vector<Vertex_index> loops;
-    for (Facet_index f : surface.adjacency.facets())
-      for (int i = 0; i < 3; ++i) {
-        side[surface.adjacency.triangle(f)[i]] = labels[f] == FLOOR ? -1 : 1;
-        if (is_border(surface.adjacency, labels, {f, i})) loops.push_back(surface.adjacency.source({f, i}));
-      }
-    Vertex_field height = Surface_distance(surface).from(loops);
-    const double mean = height.sum() / std::max<double>(1, double((height.array() > 0).count()));
-    const Vertex_field reach = 2 * Surface_diffusion(surface, 4 * mean * mean).average(height);
-    for (Eigen::Index v = 0; v < height.size(); ++v)
-      if (height[v] > 0) height[v] *= side[v] / reach[v];
-    return height;
-  }
-
-  Status cut_walls(Surface refined, Vertex_field height, Surface& result) const {
-    Status status = cut_along_level(refined, height, -1);
-    if (status.ok()) status = cut_along_level(refined, height, 1);
-    if (!status.ok()) return status;
-    const Approximate_surface approximate = approximate_surface(refined);
-    std::vector<int> labels = labels_by_level(approximate.adjacency, height, -1, FLOOR, FIRST_WALL);
-    const std::vector<int> upper = labels_by_level(approximate.adjacency, height, 1, FIRST_WALL, CEILING);
-    for (std::size_t f = 0; f < labels.size(); ++f)
-      labels[f] = std::max(labels[f] == FLOOR ? 0 : upper[f], int(FLOOR));
-    return finish(std::move(refined), approximate, std::move(labels), fragment_share, result);
-  }
-
-  Status finish(Surface surface, const Approximate_surface& approximate, std::vector<int> labels,
-                double share, Surface& result) const {
-    remove_fragments(approximate, labels, share);
-    number_walls(approximate, labels);
-    assign_labels(surface, labels);
-    const Status status = validate_labels(surface);
-    if (status.ok()) result = std::move(surface);
-    return status;
   }
 
   const Surface& m_surface;
@@ -246,8 +191,8 @@ public:
     for (; status.ok() && m_level < number_of_levels; ++m_level, m_next = 0)
       while (m_next < m_directions.size()) {
         if (m_is_done[m_next++]) continue;
-        m_last =
-            m_partitioner.run(direction() / length(direction()), m_wall_width / std::pow(2, m_level), result);
+        m_last = m_partitioner.run(direction() / internal::length(direction()),
+                                   m_wall_width / std::pow(2, m_level), result);
         m_is_done[m_next - 1] = m_last.ok();
         if (m_last.ok()) return {};
       }
@@ -259,15 +204,11 @@ public:
   const Sweep_direction_3& direction() const { return m_directions[m_next - 1]; }
 
 private:
-  static constexpr int number_of_levels = 6; // of halving the width of the walls
-
-  static double length(const Sweep_direction_3& d) { return std::sqrt(d.squared_length()); }
+  static constexpr int number_of_levels = 3; // of halving the width of the walls
 
   Status check() const {
-    for (const Sweep_direction_3& d : m_directions)
-      if (!(length(d) > 0) || !std::isfinite(length(d)))
-        return {ERROR_WRONG_PARAMETER, "the direction has no length"};
-    return m_partitioner.check_surface();
+    const Status status = internal::check_directions(m_directions);
+    return status.ok() ? m_partitioner.check_surface() : status;
   }
 
   internal::Boundary_partitioner<Surface> m_partitioner;

@@ -10,6 +10,7 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
+#include <CGAL/Volume_mesh_parameterization/Error_code.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Approximate_surface.h>
 
 #include <CGAL/Simple_cartesian.h>
@@ -31,6 +32,15 @@ is a direction from the floor to the ceiling; its length does not matter.
 using Sweep_direction_3 = Simple_cartesian<double>::Vector_3;
 
 namespace internal {
+
+inline double length(const Sweep_direction_3& d) { return std::sqrt(d.squared_length()); }
+
+inline Status check_directions(const std::vector<Sweep_direction_3>& directions) {
+  for (const Sweep_direction_3& d : directions)
+    if (!(length(d) > 0) || !std::isfinite(length(d)))
+      return {ERROR_WRONG_PARAMETER, "the direction has no length"};
+  return {};
+}
 
 // How well a surface suits a sweep along a unit vector d, from its unit normals n; means by area.
 struct Direction_scores {

@@ -13,6 +13,7 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Box_tree_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/triangle_weights_2.h>
 
+#include <CGAL/Kernel/global_functions.h>
 #include <CGAL/enum.h>
 #include <CGAL/squared_distance_3.h>
 
@@ -36,7 +37,7 @@ struct Axis_normal {
   bool operator==(const Axis_normal& n) const { return axis == n.axis && orientation == n.orientation; }
 };
 
-// Triangles in planes orthogonal to the axes.
+// Triangles in planes orthogonal to the axes, each with a label.
 template <typename GeomTraits>
 class Axis_aligned_surface {
 public:
@@ -57,20 +58,23 @@ public:
   }
 
   /// \pre each triangle has a normal
-  explicit Axis_aligned_surface(std::vector<Triangle> triangles)
-      : m_triangles(std::move(triangles)), m_tree(boxes(m_triangles)) {
+  Axis_aligned_surface(std::vector<Triangle> triangles, std::vector<int> labels)
+      : m_triangles(std::move(triangles)), m_labels(std::move(labels)), m_tree(boxes(m_triangles)) {
     for (const Triangle& t : m_triangles) m_normals.push_back(normal(t));
   }
 
   std::size_t number_of_triangles() const { return m_triangles.size(); }
   const Triangle& triangle(std::size_t t) const { return m_triangles[t]; }
   const Axis_normal& normal(std::size_t t) const { return m_normals[t]; }
+  int label(std::size_t t) const { return m_labels[t]; }
+  void set_labels(std::vector<int> labels) { m_labels = std::move(labels); }
 
-  // The least triangle with that normal that contains p; a nearest one where p is rounded off the surface; the number of
-  // triangles if none has that normal.
-  std::size_t find(const Point_3& p, const Axis_normal& n) const {
-    const std::size_t t = m_tree.find(p.bbox(), [&](std::size_t k) { return m_normals[k] == n && contains(k, p); });
-    return t < m_triangles.size() ? t : nearest(p, n);
+  // The least triangle with that normal and label that contains p; a nearest one where p is rounded off the surface; the
+  // number of triangles if none has that normal and label.
+  std::size_t find(const Point_3& p, const Axis_normal& normal, int label) const {
+    const auto is_like = [&](std::size_t k) { return m_normals[k] == normal && m_labels[k] == label; };
+    const std::size_t t = m_tree.find(p.bbox(), [&](std::size_t k) { return is_like(k) && contains(k, p); });
+    return t < m_triangles.size() ? t : nearest(p, is_like);
   }
 
   Weights weights(std::size_t t, const Point_3& p) const {
@@ -88,8 +92,11 @@ public:
     return Point_3(x[0], x[1], x[2]);
   }
 
+  static Point_2 projected(const Point_3& p, int axis) {
+    return Point_2(p[(axis + 1) % 3], p[(axis + 2) % 3]);
+  }
+
 private:
-  static Point_2 projected(const Point_3& p, int axis) { return Point_2(p[(axis + 1) % 3], p[(axis + 2) % 3]); }
   static Triangle_corners_2<GeomTraits> projected(const Triangle& t, int axis) {
     return {projected(t[0], axis), projected(t[1], axis), projected(t[2], axis)};
   }
@@ -107,11 +114,12 @@ private:
   }
 
   // With exact number types it is never called.
-  std::size_t nearest(const Point_3& p, const Axis_normal& n) const {
+  template <typename Predicate>
+  std::size_t nearest(const Point_3& p, const Predicate& is_wanted) const {
     std::size_t result = m_triangles.size();
     FT least(0);
     for (std::size_t t = 0; t < m_triangles.size(); ++t) {
-      if (!(m_normals[t] == n)) continue;
+      if (!is_wanted(t)) continue;
       const FT distance = CGAL::squared_distance(p, point(t, weights(t, p)));
       if (result == m_triangles.size() || distance < least) {
         result = t;
@@ -123,75 +131,96 @@ private:
 
   std::vector<Triangle> m_triangles;
   std::vector<Axis_normal> m_normals;
+  std::vector<int> m_labels;
   Box_tree_3 m_tree;
 };
 
 /*
-The border of the parts of a surface in each plane orthogonal to an axis, as a chain: equal for two surfaces only if
-these cover each point of each plane equally often, by triangles of each orientation.
+The border of the parts of a surface that have the same label and lie in the same plane orthogonal to an axis, as a chain:
+equal for two surfaces only if these cover each point of each plane equally often, by triangles of each label and
+orientation.
 
-A directed edge parallel to an axis is the difference of two rays from its ends, so that it does not matter how a
-straight border is subdivided. Other edges, diagonals, must cancel.
+A directed edge is the difference of two rays from its ends, so that it does not matter how a straight border is
+subdivided.
 */
 template <typename GeomTraits>
 class Border_chain {
 public:
   using Surface = Axis_aligned_surface<GeomTraits>;
   using Point_3 = typename GeomTraits::Point_3;
-  // Rays and edges of triangles of each orientation are terms of their own.
+
+  // An edge, or the ray from its first point with the same slope.
   struct Term {
+    int label;
     Axis_normal normal;
-    int direction; // of a ray; 3 for an edge
-    Point_3 from, to; // the same for a ray
+    Point_3 from, to;
     int factor;
   };
 
   explicit Border_chain(const Surface& surface) {
+    std::vector<Term> edges;
     for (std::size_t t = 0; t < surface.number_of_triangles(); ++t)
-      for (int i = 0; i < 3; ++i)
-        add_edge(surface.normal(t), surface.triangle(t)[i], surface.triangle(t)[(i + 1) % 3]);
-    collect();
+      for (int i = 0; i < 3; ++i) {
+        const Point_3 &p = surface.triangle(t)[i], &q = surface.triangle(t)[(i + 1) % 3];
+        edges.push_back(
+            {surface.label(t), surface.normal(t), (std::min)(p, q), (std::max)(p, q), p < q ? 1 : -1});
+      }
+    sum_up(edges, compare_edges); // leaves few for the costly comparison of slopes
+    for (const Term& e : edges) {
+      m_rays.push_back(e);
+      m_rays.push_back({e.label, e.normal, e.to, e.from, -e.factor});
+    }
+    sum_up(m_rays, compare_rays);
   }
 
-  // The first term that one chain has and the other has not, or null.
+  // The first ray that one chain has and the other has not, or null.
   static const Term* difference(const Border_chain& a, const Border_chain& b) {
-    const auto mismatch = std::mismatch(a.m_terms.begin(), a.m_terms.end(), b.m_terms.begin(), b.m_terms.end(),
-                                        [](const Term& s, const Term& t) { return key(s) == key(t) && s.factor == t.factor; });
-    if (mismatch.first != a.m_terms.end()) return &*mismatch.first;
-    return mismatch.second != b.m_terms.end() ? &*mismatch.second : nullptr;
+    const auto mismatch = std::mismatch(
+        a.m_rays.begin(), a.m_rays.end(), b.m_rays.begin(), b.m_rays.end(),
+        [](const Term& s, const Term& t) { return compare_rays(s, t) == EQUAL && s.factor == t.factor; });
+    if (mismatch.first != a.m_rays.end()) return &*mismatch.first;
+    return mismatch.second != b.m_rays.end() ? &*mismatch.second : nullptr;
   }
 
 private:
-  static auto key(const Term& t) {
-    return std::tie(t.normal.axis, t.normal.orientation, t.direction, t.from, t.to);
+  static Comparison_result compare_planes(const Term& s, const Term& t) {
+    const auto key = [](const Term& r) { return std::tie(r.label, r.normal.axis, r.normal.orientation); };
+    return key(s) < key(t) ? SMALLER : key(t) < key(s) ? LARGER : EQUAL;
   }
 
-  void add_edge(const Axis_normal& normal, const Point_3& p, const Point_3& q) {
-    const int j = (normal.axis + 1) % 3, k = (normal.axis + 2) % 3;
-    if (p[j] == q[j]) return add_rays(normal, k, p, q);
-    if (p[k] == q[k]) return add_rays(normal, j, p, q);
-    const bool forward = p < q;
-    m_terms.push_back({normal, 3, forward ? p : q, forward ? q : p, forward ? 1 : -1});
+  static Comparison_result compare_edges(const Term& s, const Term& t) {
+    Comparison_result result = compare_planes(s, t);
+    if (result == EQUAL) result = CGAL::compare_xyz(s.from, t.from);
+    return result == EQUAL ? CGAL::compare_xyz(s.to, t.to) : result;
   }
 
-  void add_rays(const Axis_normal& normal, int direction, const Point_3& p, const Point_3& q) {
-    m_terms.push_back({normal, direction, p, p, 1});
-    m_terms.push_back({normal, direction, q, q, -1});
+  static Comparison_result compare_rays(const Term& s, const Term& t) {
+    Comparison_result result = compare_planes(s, t);
+    if (result == EQUAL) result = typename GeomTraits::Compare_slope_2()(segment(s), segment(t));
+    return result == EQUAL ? CGAL::compare_xyz(s.from, t.from) : result;
   }
 
-  void collect() {
-    std::sort(m_terms.begin(), m_terms.end(), [](const Term& s, const Term& t) { return key(s) < key(t); });
+  static typename GeomTraits::Segment_2 segment(const Term& t) {
+    return {Surface::projected(t.from, t.normal.axis), Surface::projected(t.to, t.normal.axis)};
+  }
+
+  // Sorts the terms and adds those that compare equal; zeros vanish.
+  template <typename Compare>
+  static void sum_up(std::vector<Term>& terms, const Compare& compare) {
+    std::sort(terms.begin(), terms.end(),
+              [&](const Term& s, const Term& t) { return compare(s, t) == SMALLER; });
     std::vector<Term> sums;
-    for (Term& t : m_terms)
-      if (!sums.empty() && key(sums.back()) == key(t))
+    for (Term& t : terms)
+      if (!sums.empty() && compare(sums.back(), t) == EQUAL)
         sums.back().factor += t.factor;
       else
         sums.push_back(std::move(t));
-    sums.erase(std::remove_if(sums.begin(), sums.end(), [](const Term& t) { return t.factor == 0; }), sums.end());
-    m_terms = std::move(sums);
+    sums.erase(std::remove_if(sums.begin(), sums.end(), [](const Term& t) { return t.factor == 0; }),
+               sums.end());
+    terms = std::move(sums);
   }
 
-  std::vector<Term> m_terms; // sorted
+  std::vector<Term> m_rays; // sorted
 };
 
 } // namespace internal

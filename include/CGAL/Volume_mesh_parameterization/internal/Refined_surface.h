@@ -92,6 +92,7 @@ public:
   // The half-edge that leaves v; at the border the one on the border.
   Id outgoing(Id v) const { return m_outgoing[v]; }
   bool is_on_cut(Id v) const { return m_on_cut[v] != 0; }
+  bool is_cut(Id h) const { return m_is_cut[h] != 0; }
   double length(Id v, Id w) const { return std::sqrt(CGAL::squared_distance(m_points[v], m_points[w])); }
 
   double length(const std::vector<Id>& path) const {
@@ -110,6 +111,16 @@ public:
       h = m_opposite[incoming];
       if (h == none) visit(source(incoming));
       if (h == none || h == first) return;
+    }
+  }
+
+  // One of the half-edges between two neighbors.
+  Id half_edge(Id v, Id w) const {
+    for (Id h = m_outgoing[v];;) {
+      const Id incoming = previous(h);
+      if (target(h) == w) return h;
+      if (source(incoming) == w) return incoming;
+      h = m_opposite[incoming];
     }
   }
 
@@ -147,14 +158,15 @@ public:
 
   // Bisects every edge that is not cut and joins two cut vertices. Then no triangle is squeezed flat when the cuts
   // become straight, and the vertices off the cuts are connected within each piece, so that the next path exists.
-  // One scan is enough: no edge at a midpoint is a chord.
-  void split_chords() {
+  // One scan is enough: no edge at a midpoint is a chord. Returns the chords in the order of the new vertices.
+  std::vector<std::array<Id, 2>> split_chords() {
     std::vector<std::array<Id, 2>> chords;
     for (Id h = 0; h < number_of_half_edges(); ++h)
       if (!m_is_cut[h] && h < m_opposite[h] && is_on_cut(source(h)) && is_on_cut(target(h)))
         chords.push_back({source(h), target(h)});
     sort_longest_first(chords, [this](Id v) { return m_points[v]; });
     for (const auto& [v, w] : chords) bisect(half_edge(v, w));
+    return chords;
   }
 
 private:
@@ -167,16 +179,6 @@ private:
   void find_outgoing() {
     for (Id h = 0; h < number_of_half_edges(); ++h)
       if (m_outgoing[source(h)] == none || is_border(h)) m_outgoing[source(h)] = h;
-  }
-
-  // h is one of the half-edges between the two vertices.
-  Id half_edge(Id v, Id w) const {
-    for (Id h = m_outgoing[v];;) {
-      const Id incoming = previous(h);
-      if (target(h) == w) return h;
-      if (source(incoming) == w) return incoming;
-      h = m_opposite[incoming];
-    }
   }
 
   void cut(Id h) {

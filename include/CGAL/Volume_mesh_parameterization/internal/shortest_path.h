@@ -23,12 +23,13 @@ namespace CGAL {
 namespace Volume_mesh_parameterization {
 namespace internal {
 
-// Dijkstra's algorithm in O(n log n): the shortest path along edges from one of the sources to one of the targets whose
-// inner vertices, at least one, are off the cuts. Empty if there is none. Of equally short paths it takes the one whose
-// last vertices come first by coordinates.
-inline std::vector<Refined_surface::Id> shortest_path(const Refined_surface& surface,
-                                                      const std::vector<Refined_surface::Id>& sources,
-                                                      const std::vector<Refined_surface::Id>& targets) {
+// Dijkstra's algorithm in O(n log n): the shortest path along edges, whose lengths are length(v, w), from one of the
+// sources to one of the targets whose inner vertices, at least one, are off the cuts. Empty if there is none. Of equally
+// short paths it takes the one whose last vertices come first by coordinates.
+template <typename Length>
+std::vector<Refined_surface::Id>
+shortest_path(const Refined_surface& surface, const std::vector<Refined_surface::Id>& sources,
+              const std::vector<Refined_surface::Id>& targets, const Length& length) {
   using Id = Refined_surface::Id;
   using Entry = std::pair<double, Id>;
   std::vector<double> distance(surface.number_of_vertices(), std::numeric_limits<double>::infinity());
@@ -56,7 +57,7 @@ inline std::vector<Refined_surface::Id> shortest_path(const Refined_surface& sur
     }
     surface.for_each_neighbor(v, [&](Id w) {
       const bool may_enter = !surface.is_on_cut(w) || (is_target[w] && !surface.is_on_cut(v));
-      const double d = entry.first + surface.length(v, w);
+      const double d = entry.first + length(v, w);
       const bool is_shorter = d < distance[w];
       // never along an edge so short that it adds nothing: the path must not close up
       const bool is_equal = d == distance[w] && entry.first < d && before[w] != Refined_surface::none &&
@@ -68,6 +69,13 @@ inline std::vector<Refined_surface::Id> shortest_path(const Refined_surface& sur
     });
   }
   return {};
+}
+
+inline std::vector<Refined_surface::Id> shortest_path(const Refined_surface& surface,
+                                                      const std::vector<Refined_surface::Id>& sources,
+                                                      const std::vector<Refined_surface::Id>& targets) {
+  using Id = Refined_surface::Id;
+  return shortest_path(surface, sources, targets, [&](Id v, Id w) { return surface.length(v, w); });
 }
 
 } // namespace internal

@@ -93,6 +93,14 @@ inline std::array<Vertex_field, 3> integrated_normals(const Approximate_surface&
   return normals;
 }
 
+// Normals averaged over this share of the surface's area, by coordinate; their length tells how much they agree.
+inline std::array<Vertex_field, 3> averaged_normals(const Approximate_surface& surface, double share) {
+  const Surface_diffusion diffusion(surface, share * surface.total_area);
+  std::array<Vertex_field, 3> normals = integrated_normals(surface);
+  for (Vertex_field& coordinate : normals) coordinate = diffusion.average_of_integral(coordinate);
+  return normals;
+}
+
 // Distances along the surface from a set of vertices, by fast marching: R. Kimmel, J. Sethian, Computing geodesic
 // paths on manifolds, PNAS 95 (1998).
 class Surface_distance {
@@ -102,7 +110,12 @@ public:
         m_values(Vertex_field::Constant(Eigen::Index(surface.points.size()), unreached)) {}
 
   Vertex_field from(const std::vector<Vertex_index>& sources) {
-    for (Vertex_index v : sources) improve(v, 0);
+    return from(sources, std::vector<double>(sources.size(), 0));
+  }
+
+  // The sources count as if they lay `offsets` away.
+  Vertex_field from(const std::vector<Vertex_index>& sources, const std::vector<double>& offsets) {
+    for (std::size_t k = 0; k < sources.size(); ++k) improve(sources[k], offsets[k]);
     while (!m_queue.empty()) {
       const auto [distance, v] = m_queue.top();
       m_queue.pop();
