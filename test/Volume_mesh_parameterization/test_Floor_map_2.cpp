@@ -6,6 +6,7 @@
 
 #include "test_util.h"
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <cstdlib>
@@ -214,6 +215,55 @@ void test_refusals() {
   assert(code == VMP::ERROR_FLOOR_MAP || code == VMP::ERROR_CANNOT_SOLVE);
 }
 
+// A layer of prisms inside of a finger, closed at its tip, with its outside as floor.
+VMP::Compact_tetrahedral_mesh_3<Inexact> finger(std::size_t rings, std::size_t around) {
+  Soup<Inexact> soup;
+  const std::size_t layer = 1 + rings * around;
+  for (int top = 0; top < 2; ++top) {
+    soup.points.emplace_back(0, 0, 0.5 * top);
+    for (std::size_t i = 0; i < rings; ++i)
+      for (std::size_t j = 0; j < around; ++j) {
+        const double angle = 2 * CGAL_PI * double(j) / double(around), radius = 1 - 0.4 * top;
+        soup.points.emplace_back(radius * std::cos(angle), radius * std::sin(angle), double(i) + 0.5 * top);
+      }
+  }
+  const auto add_prism = [&](std::array<std::size_t, 3> v) {
+    std::sort(v.begin(), v.end()); // so that neighbours share diagonals
+    for (std::size_t k = 0; k < 3; ++k) {
+      std::array<std::size_t, 4> cell;
+      for (std::size_t i = 0; i < 4; ++i) cell[i] = i <= k ? v[i] : v[i - 1] + layer;
+      const auto& p = soup.points;
+      if (CGAL::orientation(p[cell[0]], p[cell[1]], p[cell[2]], p[cell[3]]) != CGAL::POSITIVE)
+        std::swap(cell[0], cell[1]);
+      soup.cells.push_back(cell);
+    }
+  };
+  const auto vertex = [&](std::size_t i, std::size_t j) { return 1 + i * around + j % around; };
+  for (std::size_t j = 0; j < around; ++j) {
+    add_prism({0, vertex(0, j), vertex(0, j + 1)});
+    for (std::size_t i = 0; i + 1 < rings; ++i) {
+      add_prism({vertex(i, j), vertex(i, j + 1), vertex(i + 1, j)});
+      add_prism({vertex(i, j + 1), vertex(i + 1, j), vertex(i + 1, j + 1)});
+    }
+  }
+  VMP::Compact_tetrahedral_mesh_3<Inexact> mesh = make_mesh<Inexact>(soup);
+  for (VMP::Facet_index f : mesh.boundary_facets()) {
+    const auto v = mesh.vertices(f);
+    const auto outside = std::count_if(v.begin(), v.end(), [&](VMP::Vertex_index u) { return u < layer; });
+    mesh.set_label(f, outside == 3 ? VMP::FLOOR : outside == 0 ? VMP::CEILING : int(VMP::FIRST_WALL));
+  }
+  return mesh;
+}
+
+// Each ring of a finger is embedded smaller by half, say; after fifty no double can tell its points apart.
+void test_finger() {
+  VMP::Floor_map_2<Inexact> map;
+  const VMP::Status status = map.build(finger(60, 8));
+  std::cout << "finger: " << status.message() << std::endl;
+  assert(status.ok());
+  test_is_one_to_one(map);
+}
+
 int main() {
   for (int holes = 0; holes <= 3; ++holes) {
     test_block_is_kept(holes);
@@ -225,6 +275,7 @@ int main() {
   }
   test_map<Exact>(jittered<Exact>(Block_with_holes<Exact::Point_3>(1, 1, 1).soup(), 1, 0.2, 5), 1, 50, 0);
   test_alignment();
+  test_finger();
   test_refusals();
   std::cout << "done" << std::endl;
   return EXIT_SUCCESS;

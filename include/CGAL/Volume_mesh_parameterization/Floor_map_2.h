@@ -39,7 +39,8 @@ is a piecewise linear one-to-one map from the floor of a solid to the base of a 
 rectangular holes in a row as the floor has holes.
 
 The floor is cut into four trapezoids for each hole (one piece without holes), each trapezoid is embedded by the
-theorem of Tutte and Floater with mean value weights, then the whole is relaxed. Its triangulation is that of the floor
+theorem of Tutte and Floater with mean value weights (where rounding spoils that, with weights adapted to the stretch), then
+the whole is relaxed. Its triangulation is that of the floor
 with some edges bisected. It is checked by exact signs: each triangle is positively oriented and the border runs
 monotonically along the sides, so the map is one to one. The floor is seen from inside: together with w upwards the map
 preserves orientation. With an exact number type `image()` and `preimage()` are inverse to the bit.
@@ -118,10 +119,12 @@ public:
     const Point_2 p = chart.point(barycentric);
     const auto parts = m_parts[floor_facet];
     const auto corners = [&](std::uint32_t t) { return chart_corners(t, chart); };
-    auto part = std::find_if(parts.begin(), parts.end(), [&](auto t) { return internal::contains<GeomTraits>(corners(t), p); });
+    auto part = std::find_if(parts.begin(), parts.end(),
+                             [&](auto t) { return internal::contains<GeomTraits>(corners(t), p); });
     if (part == parts.end()) part = parts.begin(); // a weight is negative: extend the map
     const Triangle& t = triangle(*part);
-    return combine(internal::weights_in<GeomTraits>(corners(*part), p), {m_images[t[0]], m_images[t[1]], m_images[t[2]]});
+    return combine(internal::weights_in<GeomTraits>(corners(*part), p),
+                   {m_images[t[0]], m_images[t[1]], m_images[t[2]]});
   }
   Point_2 image(const Base_point_3<GeomTraits>& p) const { return image(p.facet, p.barycentric); }
 

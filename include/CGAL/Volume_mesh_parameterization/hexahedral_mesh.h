@@ -158,9 +158,8 @@ returns the grid of about cubic cells whose number of hexahedra, with those of a
 */
 template <typename GeomTraits>
 Prism_grid prism_grid_of_size(const Prism_3<GeomTraits>& prism, std::size_t target, bool has_pillow = false) {
-  const double edge =
-      internal::edge_of_size(prism, double((std::max)(target, std::size_t(1))), has_pillow);
-  constexpr int trials = 40;
+  const double edge = internal::edge_of_size(prism, double((std::max)(target, std::size_t(1))), has_pillow);
+  constexpr int trials = 200;
   constexpr double least = 0.5, greatest = 2; // shares of that edge
   Prism_grid best = prism_grid(prism, edge);
   const auto miss = [&](const Prism_grid& g) {
@@ -285,8 +284,8 @@ Status hexahedral_mesh(const Prism_3<GeomTraits>& prism, const Prism_grid& grid,
   mesh = Hexahedron_soup_3<Point>();
   if (!prism.is_valid()) return {ERROR_WRONG_PARAMETER, "the prism"};
   if (grid.x.size() < 2 || grid.y.size() < 2 || grid.layers == 0) return {ERROR_WRONG_PARAMETER, "the grid"};
-  const Status status =
-      internal::Hexahedra_builder<GeomTraits, Point>(prism, grid, mesh).template build<ConcurrencyTag>(column);
+  const Status status = internal::Hexahedra_builder<GeomTraits, Point>(prism, grid, mesh)
+                            .template build<ConcurrencyTag>(column);
   if (!status.ok()) mesh = Hexahedron_soup_3<Point>();
   return status;
 }

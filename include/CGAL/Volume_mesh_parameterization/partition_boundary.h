@@ -37,8 +37,9 @@ namespace Volume_mesh_parameterization {
 steers `partition_boundary()`.
 */
 struct Partition_options {
-  /// the width of walls on smooth surfaces, as a share of the way from the floor to the ceiling
-  double wall_width = .5;
+  /// the width of walls on smooth surfaces, as a share of the way from the floor to the ceiling. By default the sides of a
+  /// round tube get about a quarter of the area each.
+  double wall_width = .57;
   /// parts of a patch that lie apart and have less than this share of the area are flipped
   double island_share = .15;
   /// whether edges of the surface may be split, to let the rims run where they should

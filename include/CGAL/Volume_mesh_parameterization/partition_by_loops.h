@@ -21,6 +21,7 @@
 #include <CGAL/Volume_mesh_parameterization/internal/primitive_loops.h>
 #include <CGAL/Volume_mesh_parameterization/internal/surface_fields.h>
 #include <CGAL/Volume_mesh_parameterization/internal/surface_halves.h>
+#include <CGAL/Volume_mesh_parameterization/partition_boundary.h>
 #include <CGAL/Volume_mesh_parameterization/propose_directions.h>
 #include <CGAL/Volume_mesh_parameterization/validate_partition.h>
 
@@ -124,7 +125,6 @@ public:
 private:
   static constexpr double averaged_share = 1e-3; // of the area, over which normals are averaged
   static constexpr double horizontal_length = 6; // of an edge that does not rise; of a steep one 1
-  static constexpr double wall_width = .5;       // at first, as a share of the way to the middle of the base
 
   Status halve(const Sweep_direction_3& direction, Mesh& halves) const {
     const Vertex_field averaged =
@@ -189,7 +189,8 @@ private:
     for (double h : height)
       if (h != 0) least = std::min(least, std::abs(h));
     Status status;
-    for (double width = wall_width; width >= std::min(wall_width, least / 2); width /= 2) {
+    const double broadest = Partition_options().wall_width;
+    for (double width = broadest; width >= std::min(broadest, least / 2); width /= 2) {
       status = cut_walls(halves, height / width, result);
       if (status.ok()) return status;
     }

@@ -215,7 +215,21 @@ private:
     Status status = tutte_embedding(triangles, is_fixed, Mean_value_weights{surface.points()}, images);
     if (status.ok() && count_flipped(triangles, images) > 0)
       status = tutte_embedding(triangles, is_fixed, Uniform_weights(), images);
+    if (status.ok() && count_flipped(triangles, images) > 0) status = embed_adaptively(is_fixed);
     return status.ok() ? check() : status;
+  }
+
+  // Where the floor bulges behind a neck, an embedding shrinks it beyond the precision of numbers.
+  Status embed_adaptively(const std::vector<char>& is_fixed) {
+    constexpr int most_attempts = 30;
+    const auto& triangles = surface.triangles();
+    Stretch_weights weights(surface.number_of_vertices());
+    Status status;
+    for (int i = 0; i < most_attempts && status.ok() && count_flipped(triangles, images) > 0; ++i) {
+      weights.adapt(triangles, surface.points(), images);
+      status = tutte_embedding(triangles, is_fixed, weights, images);
+    }
+    return status;
   }
 
   // Positive triangles and a border that runs once along the rims: then the map is one to one, by its degree.

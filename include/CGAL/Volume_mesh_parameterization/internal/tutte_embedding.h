@@ -50,6 +50,44 @@ struct Uniform_weights {
   std::array<double, 2> operator()(std::uint32_t, std::uint32_t, std::uint32_t) const { return {1, 1}; }
 };
 
+// Weights that pull less towards where an embedding compresses the surface (S. Yoshizawa, A. Belyaev, H.-P. Seidel, A fast
+// and simple stretch-minimizing mesh parameterization, 2004): embedded anew with them, such parts grow.
+class Stretch_weights {
+public:
+  explicit Stretch_weights(std::size_t number_of_vertices) : m_pull(number_of_vertices, 1) {}
+
+  std::array<double, 2> operator()(std::uint32_t, std::uint32_t w, std::uint32_t u) const {
+    return {m_pull[w], m_pull[u]};
+  }
+
+  // Divides the pull of each vertex by the stretch around it: the root of the area of its triangles in space over that in
+  // the plane.
+  void adapt(const std::vector<std::array<std::uint32_t, 3>>& triangles,
+             const std::vector<Double_kernel::Point_3>& points,
+             const std::vector<Double_kernel::Point_2>& images) {
+    constexpr double greatest = 10; // of the change at once
+    std::vector<double> given(m_pull.size(), 0), embedded(m_pull.size(), 0);
+    double all_given = 0, all_embedded = 0;
+    for (const auto& t : triangles) {
+      const double a = std::sqrt(CGAL::squared_area(points[t[0]], points[t[1]], points[t[2]])),
+                   b = std::max(0., CGAL::area(images[t[0]], images[t[1]], images[t[2]]));
+      all_given += a;
+      all_embedded += b;
+      for (std::uint32_t v : t) {
+        given[v] += a;
+        embedded[v] += b;
+      }
+    }
+    for (std::size_t v = 0; v < m_pull.size(); ++v) {
+      const double stretch = std::sqrt(given[v] / all_given / (embedded[v] / all_embedded));
+      m_pull[v] /= std::min(greatest, std::max(1 / greatest, stretch)); // in this order 0 / 0 does no harm
+    }
+  }
+
+private:
+  std::vector<double> m_pull;
+};
+
 /*
 Moves every vertex that is not fixed to the weighted mean of its neighbors (W. T. Tutte, How to draw a graph, 1963;
 M. S. Floater, One-to-one piecewise linear mappings over triangulations, 2003). weights(v, w, u) are the shares of a
