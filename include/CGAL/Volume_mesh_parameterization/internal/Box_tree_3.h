@@ -12,10 +12,19 @@
 
 #include <CGAL/Bbox_3.h>
 
+// Boost.Geometry 1.74 includes a deprecated header of Boost itself, and would be told so aloud.
+#ifndef BOOST_ALLOW_DEPRECATED_HEADERS
+#define BOOST_ALLOW_DEPRECATED_HEADERS
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_RESTORE_DEPRECATED_HEADERS
+#endif
 #include <boost/geometry/core/cs.hpp>
 #include <boost/geometry/geometries/box.hpp>
 #include <boost/geometry/geometries/point.hpp>
 #include <boost/geometry/index/rtree.hpp>
+#ifdef CGAL_VOLUME_MESH_PARAMETERIZATION_RESTORE_DEPRECATED_HEADERS
+#undef BOOST_ALLOW_DEPRECATED_HEADERS
+#undef CGAL_VOLUME_MESH_PARAMETERIZATION_RESTORE_DEPRECATED_HEADERS
+#endif
 
 #include <cstddef>
 #include <utility>
