@@ -159,7 +159,7 @@ returns the grid of about cubic cells whose number of hexahedra, with those of a
 template <typename GeomTraits>
 Prism_grid prism_grid_of_size(const Prism_3<GeomTraits>& prism, std::size_t target, bool has_pillow = false) {
   const double edge = internal::edge_of_size(prism, double((std::max)(target, std::size_t(1))), has_pillow);
-  constexpr int trials = 200;
+  constexpr int trials = 40;
   constexpr double least = 0.5, greatest = 2; // shares of that edge
   Prism_grid best = prism_grid(prism, edge);
   const auto miss = [&](const Prism_grid& g) {

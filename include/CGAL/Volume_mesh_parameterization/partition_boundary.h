@@ -37,9 +37,8 @@ namespace Volume_mesh_parameterization {
 steers `partition_boundary()`.
 */
 struct Partition_options {
-  /// the width of walls on smooth surfaces, as a share of the way from the floor to the ceiling. By default the sides of a
-  /// round tube get about a quarter of the area each.
-  double wall_width = .57;
+  /// the width of walls on smooth surfaces, as a share of the way from the floor to the ceiling
+  double wall_width = .5;
   /// parts of a patch that lie apart and have less than this share of the area are flipped
   double island_share = .15;
   /// whether edges of the surface may be split, to let the rims run where they should
@@ -122,7 +121,7 @@ private:
     remove_islands(approximate, labels, m_options.island_share);
     status = check_halves(approximate, labels);
     if (!status.ok()) return status;
-    return cut_walls(std::move(halves), relative_height(approximate, labels) / wall_width, result);
+    return cut_walls(std::move(halves), relative_height(approximate, labels, AVERAGED) / wall_width, result);
   }
 
   const std::array<Vertex_field, 3>& normals(std::size_t k) {
@@ -205,7 +204,7 @@ public:
   const Sweep_direction_3& direction() const { return m_directions[m_next - 1]; }
 
 private:
-  static constexpr int number_of_levels = 3; // of halving the width of the walls
+  static constexpr int number_of_levels = 6; // of halving the width of the walls
 
   Status check() const {
     const Status status = internal::check_directions(m_directions);

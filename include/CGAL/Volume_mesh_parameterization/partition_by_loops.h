@@ -184,7 +184,7 @@ private:
   // Takes the widest walls that are legal; the last ones tried have only vertices of the curves inside.
   static Status widen_walls(const Mesh& halves, Mesh& result) {
     const Approximate_surface surface = approximate_surface(halves);
-    const Vertex_field height = relative_height(surface, boundary_labels(halves));
+    const Vertex_field height = relative_height(surface, boundary_labels(halves), UP_TO_RIDGES);
     double least = std::numeric_limits<double>::max();
     for (double h : height)
       if (h != 0) least = std::min(least, std::abs(h));

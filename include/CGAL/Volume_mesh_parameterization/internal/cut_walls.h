@@ -66,10 +66,14 @@ inline std::vector<int> labels_by_level(const Facet_adjacency& surface, const Ve
   return labels;
 }
 
+// Isolines run in the middle between the bases: averaged ways give smooth walls, and better hexahedra. Other loops may run
+// anywhere.
+enum Way_to_middle { AVERAGED, UP_TO_RIDGES };
+
 /*
 How far the loops between floor and ceiling are away, as a share of the way to the middle of the base. That way is
-averaged over the base, but near a ridge, where what is nearest changes from one loop to another or to a far part of the
-same loop, it ends there: walls as wide as less than the whole way do not merge.
+averaged over the base. Up to ridges, where what is nearest changes from one loop to another or to a far part of the same
+loop, it ends there at the latest: walls as wide as less than the whole way do not merge.
 */
 class Loop_distances {
 public:
@@ -85,8 +89,8 @@ public:
   }
 
   // Negative on the floor.
-  Vertex_field relative_height() const {
-    const Vertex_field ways = way_to_middle();
+  Vertex_field relative_height(Way_to_middle way) const {
+    const Vertex_field ways = way_to_middle(way);
     Vertex_field height = m_distance;
     for (Facet_index f : m_surface.adjacency.facets())
       for (Vertex_index v : m_surface.adjacency.triangle(f))
@@ -175,9 +179,10 @@ private:
   }
 
   // The mean distance of a strip is half of that way, hence the factor.
-  Vertex_field way_to_middle() const {
+  Vertex_field way_to_middle(Way_to_middle way) const {
     const double mean = m_distance.sum() / std::max<double>(1, double((m_distance.array() > 0).count()));
     Vertex_field ways = 2 * Surface_diffusion(m_surface, 4 * mean * mean).average(m_distance);
+    if (way == AVERAGED) return ways;
     const Vertex_field to_ridges = way_to_ridges();
     for (Eigen::Index v = 0; v < ways.size(); ++v)
       if (to_ridges[v] > 0) ways[v] = std::min(ways[v], to_ridges[v]);
@@ -194,8 +199,9 @@ private:
   std::vector<std::uint32_t> m_nearest; // vertices on loops
 };
 
-inline Vertex_field relative_height(const Approximate_surface& surface, const std::vector<int>& labels) {
-  return Loop_distances(surface, labels).relative_height();
+inline Vertex_field relative_height(const Approximate_surface& surface, const std::vector<int>& labels,
+                                    Way_to_middle way) {
+  return Loop_distances(surface, labels).relative_height(way);
 }
 
 // Makes what lies between the heights -1 and 1 the walls. If the two halves are disks with holes, this is legal for
