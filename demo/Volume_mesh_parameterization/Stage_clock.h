@@ -28,6 +28,10 @@ public:
     if (m_shows) std::cerr << "\r\033[K" << name << " ..." << std::flush;
   }
 
+  void advance(std::size_t done, std::size_t all) const {
+    if (m_shows) std::cerr << "\r\033[K" << m_running << " ... " << done << " of " << all << std::flush;
+  }
+
   void finish() {
     if (m_running.empty()) return;
     m_stages.push_back({m_running, double(std::clock() - m_start) / CLOCKS_PER_SEC, CGAL::Memory_sizer().resident_size()});
@@ -50,6 +54,10 @@ struct Clock_visitor {
   std::string prefix; // of the names
   bool start_stage(const char* name) {
     clock->start(prefix + name);
+    return true;
+  }
+  bool advance(std::size_t done, std::size_t all) {
+    clock->advance(done, all);
     return true;
   }
 };

@@ -1,11 +1,15 @@
 #ifndef HANDLEBODY_COMMANDS_H
 #define HANDLEBODY_COMMANDS_H
 
+#include "picks.h"
 #include "threads.h"
+
+#include <CGAL/Volume_mesh_parameterization/Partition_search_3.h>
 
 #include <array>
 #include <optional>
 #include <string>
+#include <vector>
 
 constexpr const char* handlebody_version = "0.1.0";
 
@@ -38,7 +42,18 @@ struct Parameterize_options {
   bool quiet = false;
 };
 
+struct Partition_command {
+  Input_options input;
+  std::string output;
+  std::vector<Pick> picks;
+  CGAL::Volume_mesh_parameterization::Given_labels given_labels = CGAL::Volume_mesh_parameterization::IGNORE_LABELS;
+  std::size_t number_of_candidates = 4;
+  std::size_t chosen = 0;
+  bool quiet = false;
+};
+
 int check(const Input_options& options, bool quiet);
+int partition(const Partition_command& options);
 int parameterize(const Parameterize_options& options);
 int verify(const std::string& folder, bool quiet);
 

@@ -22,6 +22,42 @@ void add_input(CLI::App& command, Input_options& options) {
       ->capture_default_str();
 }
 
+// Options whose values are picks; `parse` says which.
+template <typename Parse>
+void add_picks(CLI::App& command, const char* name, const char* type, const char* description, std::vector<Pick>& picks, Parse parse) {
+  const auto add = [&picks, parse](const std::vector<std::string>& texts) {
+    for (const std::string& text : texts) {
+      const auto pick = parse(text);
+      if (!pick) return false;
+      picks.push_back(*pick);
+    }
+    return true;
+  };
+  command.add_option(name, add, description)->type_name(type)->allow_extra_args(false)->take_all();
+}
+
+void add_partition(CLI::App& command, Partition_command& options) {
+  add_input(command, options.input);
+  command.add_option("-o,--output", options.output, "the file for the labelled tetrahedra (.mesh)")->required();
+  command.add_option("--direction", options.input.direction, "from the floor to the ceiling, as X,Y,Z")->delimiter(',');
+  add_picks(command, "--floor", "PICK", "a triangle that is to be floor: its number in a surface file, from 0, or X,Y,Z for the nearest", options.picks,
+            [](const std::string& text) { return parse_pick(VMP::FLOOR, text); });
+  add_picks(command, "--ceiling", "PICK", "a triangle that is to be ceiling", options.picks,
+            [](const std::string& text) { return parse_pick(VMP::CEILING, text); });
+  add_picks(command, "--wall", "K:PICK", "a triangle that is to be in wall K", options.picks, parse_wall_pick);
+  const std::map<std::string, VMP::Given_labels> uses = {
+      {"ignore", VMP::IGNORE_LABELS}, {"keep", VMP::KEEP_LABELS}, {"mend", VMP::MEND_LABELS}};
+  command.add_option("--labels", options.given_labels, "what labels in INPUT are for: nothing (default), facets to keep them, or a partition to mend")
+      ->transform(CLI::CheckedTransformer(uses).description("{ignore,keep,mend}"));
+  command.add_option("--candidates", options.number_of_candidates, "how many partitions to compare")
+      ->check(CLI::Range(1, 100).description("1 to 100"))
+      ->capture_default_str();
+  command.add_option("--choose", options.chosen, "which one to write; 0 is the best")
+      ->check(CLI::Range(0, 99).description("from 0"))
+      ->capture_default_str();
+  add_quiet(command, options.quiet);
+}
+
 void add_parameterize(CLI::App& command, Parameterize_options& options) {
   add_input(command, options.input);
   command.add_option("-o,--output", options.folder, "the folder for the result")->required();
@@ -69,6 +105,10 @@ int run(int argc, char** argv) {
   add_input(*check_command, check_options);
   add_quiet(*check_command, quiet);
 
+  CLI::App* partition_command = app.add_subcommand("partition", "Divides the boundary of a solid into floor, ceiling and walls.");
+  Partition_command partition_options;
+  add_partition(*partition_command, partition_options);
+
   CLI::App* parameterize_command = app.add_subcommand("parameterize", "Maps a solid onto a prism.");
   Parameterize_options parameterize_options;
   add_parameterize(*parameterize_command, parameterize_options);
@@ -84,6 +124,7 @@ int run(int argc, char** argv) {
     return app.exit(error) == 0 ? int(EVERYTHING_CERTIFIED) : int(WRONG_USAGE);
   }
   if (*check_command) return check(check_options, quiet);
+  if (*partition_command) return partition(partition_options);
   if (*parameterize_command) return parameterize(parameterize_options);
   return verify(folder, quiet);
 }

@@ -7,7 +7,7 @@
 #include <CGAL/Volume_mesh_parameterization/check_surface.h>
 #include <CGAL/Volume_mesh_parameterization/check_tetrahedral_mesh.h>
 #include <CGAL/Volume_mesh_parameterization/make_triangle_soup.h>
-#include <CGAL/Volume_mesh_parameterization/partition_and_tetrahedralize.h>
+#include <CGAL/Volume_mesh_parameterization/partition_boundary.h>
 #include <CGAL/Volume_mesh_parameterization/tetrahedralize.h>
 
 #include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
@@ -50,13 +50,6 @@ Status read_soup(const std::string& file, Soup& soup) {
   return {VMP::ERROR_WRONG_FORMAT, "the name does not end in .off .obj .ply .stl .mesh .vtk or .vtu"};
 }
 
-template <typename Boundary>
-std::vector<VMP::Sweep_direction_3> directions_of(const Input_options& options, const Boundary& boundary) {
-  if (!options.direction) return VMP::propose_directions(boundary);
-  const auto& d = *options.direction;
-  return {VMP::Sweep_direction_3(d[0], d[1], d[2])};
-}
-
 Status load_surface(const Input_options& options, Stage_clock& clock, Input& input) {
   if (options.partition == "labels") return {VMP::ERROR_UNLABELLED_FACET, "a surface file has no labels"};
   Surface surface;
@@ -64,8 +57,8 @@ Status load_surface(const Input_options& options, Stage_clock& clock, Input& inp
   Status status = read_surface(options.file, surface);
   if (!status.ok()) return status;
   clock.start("partition and tetrahedralize");
-  return VMP::partition_and_tetrahedralize(surface, directions_of(options, surface), options.number_of_tetrahedra,
-                                           input.mesh, &input.direction);
+  return VMP::partition_and_tetrahedralize(surface, partition_options(options), options.number_of_tetrahedra, input.mesh,
+                                           &input.chosen.emplace(), Clock_visitor{&clock, ""});
 }
 
 Status load_tetrahedra(const Input_options& options, Stage_clock& clock, Input& input) {
@@ -77,10 +70,16 @@ Status load_tetrahedra(const Input_options& options, Stage_clock& clock, Input& 
   input.has_labels = !is_auto && std::any_of(labels.begin(), labels.end(), [](const auto& f) { return f.label != 0; });
   if (options.partition == "labels" || input.has_labels) return {};
   clock.start("partition");
-  return VMP::partition_solid(input.mesh, directions_of(options, input.mesh), &input.direction);
+  return VMP::partition_boundary(input.mesh, partition_options(options), &input.chosen.emplace(), Clock_visitor{&clock, ""});
 }
 
 } // namespace
+
+VMP::Partition_options partition_options(const Input_options& options) {
+  VMP::Partition_options result;
+  if (options.direction) result.directions = {{(*options.direction)[0], (*options.direction)[1], (*options.direction)[2]}};
+  return result;
+}
 
 bool is_surface_file(const std::string& file) {
   const std::string format = extension(file);

@@ -5,16 +5,18 @@
 #include "commands.h"
 #include "types.h"
 
+#include <CGAL/Volume_mesh_parameterization/Partition_search_3.h>
 #include <CGAL/Volume_mesh_parameterization/Triangle_soup_3.h>
-#include <CGAL/Volume_mesh_parameterization/propose_directions.h>
+
+#include <optional>
 
 // A tetrahedral mesh with a labelled boundary, and how it came about.
 struct Input {
   Mesh mesh;
   std::size_t number_of_points = 0; // in the file, as far as they are used
   bool is_surface = false;
-  bool has_labels = false;                               // given in the file
-  VMP::Sweep_direction_3 direction = CGAL::NULL_VECTOR; // of the automatic partition
+  bool has_labels = false;                           // given in the file
+  std::optional<VMP::Partition_candidate_3> chosen; // the automatic partition
 };
 
 bool is_surface_file(const std::string& file);
@@ -26,6 +28,9 @@ VMP::Status load_unlabelled(const Input_options& options, Stage_clock& clock, In
 
 // Reads the points of a mesh or surface.
 VMP::Status read_points(const std::string& file, std::vector<Point_3>& points);
+
+// What the options say about an automatic partition.
+VMP::Partition_options partition_options(const Input_options& options);
 
 // Reads and checks the file, chooses the labels unless they are given, and tetrahedralizes a surface.
 VMP::Status load_input(const Input_options& options, Stage_clock& clock, Input& input);

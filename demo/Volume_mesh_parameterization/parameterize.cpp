@@ -84,7 +84,7 @@ private:
     const Status status = load_input(m_options.input, m_clock, input);
     if (!status.ok()) return status;
     m_report["input"]["partition"] = input.has_labels ? "labels" : "auto";
-    m_report["input"]["direction"] = {input.direction.x(), input.direction.y(), input.direction.z()};
+    if (input.chosen) m_report["input"]["chosen_partition"] = report_candidate(*input.chosen);
     return status;
   }
 

@@ -45,6 +45,24 @@ Json report_stages(const Stage_clock& clock) {
   return stages;
 }
 
+Json report_candidate(const VMP::Partition_candidate_3& candidate) {
+  const VMP::Partition_quality& q = candidate.quality;
+  const VMP::Sweep_direction_3& d = candidate.direction;
+  return {{"method", VMP::method_name(candidate.method)},
+          {"direction", {d.x(), d.y(), d.z()}},
+          {"cost", candidate.cost},
+          {"balance", q.balance},
+          {"smallest_wall", q.smallest_wall},
+          {"rim_length", q.rim_length},
+          {"zigzag", q.zigzag},
+          {"wall_gap", q.wall_gap},
+          {"mean_width", q.mean_width},
+          {"alignment", q.alignment},
+          {"gradient_spread", q.gradient_spread},
+          {"length_spread", q.length_spread},
+          {"critical_points_of_trial", q.number_of_critical_points}};
+}
+
 Json report_partition(const VMP::Boundary_partition_3& partition) {
   Json patches = Json::object();
   for (const VMP::Boundary_patch_3& p : partition.patches)

@@ -5,6 +5,7 @@
 #include "result_files.h"
 #include "types.h"
 
+#include <CGAL/Volume_mesh_parameterization/Partition_search_3.h>
 #include <CGAL/Volume_mesh_parameterization/critical_points.h>
 #include <CGAL/Volume_mesh_parameterization/measure_distortion.h>
 #include <CGAL/Volume_mesh_parameterization/verify_hexahedra.h>
@@ -17,6 +18,7 @@ using Json = nlohmann::ordered_json;
 Json report_status(const VMP::Status& status);
 Json report_stages(const Stage_clock& clock);
 Json report_partition(const VMP::Boundary_partition_3& partition);
+Json report_candidate(const VMP::Partition_candidate_3& candidate);
 Json report_sweep(const VMP::Sweep_report& report);
 Json report_maximum_principle(const Product::Harmonic_function& f);
 Json report_critical_points(const Mesh& mesh, const std::vector<VMP::Critical_vertex>& points);

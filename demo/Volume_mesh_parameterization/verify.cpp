@@ -45,9 +45,7 @@ Status verify_solid(const Result_folder& folder, const char* file, Mesh& mesh, s
   Status status = VMP::IO::read_MEDIT(folder.file(file), soup);
   if (status.ok()) status = mesh.assign(soup);
   if (status.ok()) status = VMP::check_tetrahedral_mesh(mesh);
-  if (status.ok()) status = VMP::validate_partition(mesh, partition);
-  if (status.ok()) status = VMP::certify_handlebody(mesh, certificate);
-  if (status.ok()) status = VMP::validate_fundamental_group(mesh, certificate);
+  if (status.ok()) status = VMP::validate_solid(mesh, partition, certificate);
   what_holds = std::to_string(mesh.number_of_cells()) + " tetrahedra, a handlebody of genus " +
                std::to_string(partition.genus) + " with a legal partition";
   return status;

@@ -42,7 +42,9 @@ int main() {
   const auto cells = VMP::make_triangulation_cells(c3t3);
   VMP::Compact_tetrahedral_mesh_3<Kernel> mesh;
   VMP::Status status = mesh.assign(cells);
-  if (status.ok()) status = VMP::partition_solid(mesh, {VMP::Sweep_direction_3(0, 0, 1)});
+  VMP::Partition_options options;
+  options.directions = {VMP::Sweep_direction_3(0, 0, 1)};
+  if (status.ok()) status = VMP::partition_boundary(mesh, options);
   if (!status.ok()) return fail(status);
 
   // 3. Parameterize.

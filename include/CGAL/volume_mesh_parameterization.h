@@ -33,6 +33,7 @@
 #include <CGAL/Volume_mesh_parameterization/Hexahedron_soup_3.h>
 #include <CGAL/Volume_mesh_parameterization/Integral_curve_3.h>
 #include <CGAL/Volume_mesh_parameterization/Polycube_3.h>
+#include <CGAL/Volume_mesh_parameterization/Partition_search_3.h>
 #include <CGAL/Volume_mesh_parameterization/Prism_3.h>
 #include <CGAL/Volume_mesh_parameterization/Product_map_3.h>
 #include <CGAL/Volume_mesh_parameterization/Product_structure_3.h>
@@ -49,12 +50,11 @@
 #include <CGAL/Volume_mesh_parameterization/irregular_edges.h>
 #include <CGAL/Volume_mesh_parameterization/make_triangle_soup.h>
 #include <CGAL/Volume_mesh_parameterization/measure_distortion.h>
+#include <CGAL/Volume_mesh_parameterization/measure_partition.h>
 #include <CGAL/Volume_mesh_parameterization/optimize_hexahedra.h>
 #include <CGAL/Volume_mesh_parameterization/parameterize.h>
 #include <CGAL/Volume_mesh_parameterization/parameters.h>
-#include <CGAL/Volume_mesh_parameterization/partition_and_tetrahedralize.h>
 #include <CGAL/Volume_mesh_parameterization/partition_boundary.h>
-#include <CGAL/Volume_mesh_parameterization/partition_by_loops.h>
 #include <CGAL/Volume_mesh_parameterization/pillow_hexahedra.h>
 #include <CGAL/Volume_mesh_parameterization/prepare_patches.h>
 #include <CGAL/Volume_mesh_parameterization/propose_directions.h>

@@ -16,15 +16,29 @@ CURVE_COLORS = [(0.10, 0.22, 0.62), (0.05, 0.52, 0.66), (0.16, 0.58, 0.25), (0.8
 
 
 def draw_labels(result):
-    mesh = result.mesh
-    boundary = make_surface(mesh.points, mesh.boundary)
-    add_cell_colors(boundary, np.array([label_name_and_color(label)[1] for label in mesh.labels]))
-    view = main_view(mesh.points)
+    view = main_view(result.mesh.points)
     picture = two_panels(view)
     for side in (view, view.opposite()):
-        picture.add_panel(side, [make_actor(boundary, edges=len(mesh.boundary) < 40000)])
-    picture.add_text([label_name_and_color(label) for label in np.unique(mesh.labels)])
+        picture.add_panel(side, [make_labelled_boundary(result.mesh, edges=len(result.mesh.boundary) < 40000)])
+    picture.add_text([label_name_and_color(label) for label in np.unique(result.mesh.labels)])
     return picture
+
+
+def draw_partitions(meshes):
+    """side by side, each from both sides"""
+    picture = Picture(columns=len(meshes), rows=2)
+    views = [main_view(mesh.points) for mesh in meshes]
+    for side in (lambda view: view, View.opposite):
+        for mesh, view in zip(meshes, views):
+            picture.add_panel(side(view), [make_labelled_boundary(mesh, edges=False)])
+    picture.add_titles([mesh.name for mesh in meshes])
+    return picture
+
+
+def make_labelled_boundary(mesh, edges):
+    boundary = make_surface(mesh.points, mesh.boundary)
+    add_cell_colors(boundary, np.array([label_name_and_color(label)[1] for label in mesh.labels]))
+    return make_actor(boundary, edges=edges)
 
 
 def draw_isosurfaces(result):

@@ -85,6 +85,19 @@ class Tetrahedra:
         return grid
 
 
+class Labelled_mesh:
+    """a MEDIT file: points and labelled boundary triangles"""
+
+    def __init__(self, path):
+        if not path.is_file():
+            raise Missing(f"there is no {path}")
+        sections = read_medit(path, ("Vertices", "Triangles"))
+        triangles = sections["Triangles"].astype(int)
+        self.name = path.stem
+        self.points = sections["Vertices"][:, :3]
+        self.boundary, self.labels = triangles[:, :3] - 1, triangles[:, 3]
+
+
 class Curves:
     """curves.vtp: polylines, for each the number of its curve and whether it is in M (0) or in P (1)"""
 

@@ -169,6 +169,18 @@ class Picture:
             label.SetPosition(14 * SUPERSAMPLING, (12 + 1.35 * size * i) * SUPERSAMPLING)
             self.renderers[-1].AddViewProp(label)
 
+    def add_titles(self, titles):
+        """at the top of the first panels"""
+        for title, renderer in zip(titles, self.renderers):
+            label = vtk.vtkTextActor()
+            label.SetInput(title)
+            label.GetTextProperty().SetColor(0, 0, 0)
+            label.GetTextProperty().SetFontSize(18 * SUPERSAMPLING)
+            label.GetTextProperty().SetJustificationToCentered()
+            label.GetPositionCoordinate().SetCoordinateSystemToNormalizedViewport()
+            label.SetPosition(0.5, 0.94)
+            renderer.AddViewProp(label)
+
     def add_scalar_bar(self, colors, title):
         """at the right of the last panel, whose contents make room"""
         camera = self.renderers[-1].GetActiveCamera()

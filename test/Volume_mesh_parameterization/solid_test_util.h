@@ -13,10 +13,15 @@
 
 #include "test_util.h"
 
+#include <CGAL/Simple_cartesian.h>
+
+#include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
 #include <iostream>
 #include <random>
+#include <vector>
 
 enum class Shape { PLAIN, JITTERED, BENT, TWISTED };
 
@@ -46,10 +51,109 @@ shaped_block(Shape shape, int holes, int per_unit, int layers, unsigned seed = 1
   return soup;
 }
 
+// Turns cells to be positive.
+template <typename Point>
+void orient_positively(CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3<Point>& soup) {
+  for (auto& c : soup.cells)
+    if (CGAL::orientation(soup.points[c[0]], soup.points[c[1]], soup.points[c[2]], soup.points[c[3]]) ==
+        CGAL::NEGATIVE)
+      std::swap(c[0], c[1]);
+}
+
+// Nearly a ball of radius 1: nine tenths of the way to it from a cube, cut into m times 3 m times 3 m cubes. A whole ball
+// has flat cells where the cube has its edges.
+template <typename Point>
+CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3<Point> ball(int m) {
+  return transformed(Block_with_holes<Point>(0, m, 3 * m).soup(), [](const Point& p) {
+    const double x = 2 * CGAL::to_double(p.x()) - 1, y = 2 * CGAL::to_double(p.y()) / 3 - 1,
+                 z = 2 * CGAL::to_double(p.z()) - 1;
+    const double largest = std::max({std::abs(x), std::abs(y), std::abs(z)}), length = std::hypot(x, y, z);
+    const double scale = length > 0 ? .1 + .9 * largest / length : 1;
+    return Point(scale * x, scale * y, scale * z);
+  });
+}
+
+// Where a tube has its centre, and two vectors from there to its surface.
+struct Tube_section {
+  CGAL::Simple_cartesian<double>::Point_3 center;
+  CGAL::Simple_cartesian<double>::Vector_3 right, up;
+};
+
+// A disk with some rings of so many sides around a vertex 0, as triangles with increasing vertices.
+inline std::vector<std::array<std::size_t, 3>> disk_triangles(int sides, int rings) {
+  std::vector<std::array<std::size_t, 3>> triangles;
+  const auto vertex = [&](int ring, int side) {
+    return std::size_t(ring == 0 ? 0 : 1 + (ring - 1) * sides + side % sides);
+  };
+  for (int r = 1; r <= rings; ++r)
+    for (int k = 0; k < sides; ++k) {
+      triangles.push_back({vertex(r - 1, k), vertex(r, k), vertex(r, k + 1)});
+      if (r > 1) triangles.push_back({vertex(r - 1, k), vertex(r - 1, k + 1), vertex(r, k + 1)});
+    }
+  for (auto& t : triangles) std::sort(t.begin(), t.end());
+  return triangles;
+}
+
+// A closed tube: section(t) for 0 <= t < 2 pi tells where it runs. Its sections are disks, the cells between two of them
+// prisms.
+template <typename Point, typename Section>
+CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3<Point> closed_tube(int sections, int sides, int rings,
+                                                                          const Section& section) {
+  CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3<Point> soup;
+  const int n = 1 + rings * sides; // vertices of a section
+  for (int s = 0; s < sections; ++s) {
+    const Tube_section at = section(2 * CGAL_PI * s / sections);
+    for (int v = 0; v < n; ++v) {
+      const int side = (v + sides - 1) % sides, ring = (v + sides - 1) / sides;
+      const double radius = double(ring) / rings, angle = 2 * CGAL_PI * side / sides;
+      const auto p = at.center + radius * (std::cos(angle) * at.right + std::sin(angle) * at.up);
+      soup.points.emplace_back(p.x(), p.y(), p.z());
+    }
+  }
+  for (int s = 0; s < sections; ++s)
+    for (const auto& [u, v, w] : disk_triangles(sides, rings)) {
+      const std::size_t a = std::size_t(n) * s, b = std::size_t(n) * ((s + 1) % sections);
+      soup.cells.push_back({a + u, a + v, a + w, b + w});
+      soup.cells.push_back({a + u, a + v, b + v, b + w});
+      soup.cells.push_back({a + u, b + u, b + v, b + w});
+    }
+  orient_positively(soup);
+  return soup;
+}
+
+// Around the z-axis, with radii 1 and 0.4. Its sections turn once on the way round: hardly any rim can follow its edges.
+template <typename Point>
+CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3<Point> solid_torus(int sections, int sides,
+                                                                          int rings) {
+  return closed_tube<Point>(sections, sides, rings, [](double t) {
+    const CGAL::Simple_cartesian<double>::Vector_3 outward(std::cos(t), std::sin(t), 0), upward(0, 0, 1);
+    return Tube_section{CGAL::ORIGIN + outward, .4 * (std::cos(t) * outward + std::sin(t) * upward),
+                        .4 * (std::cos(t) * upward - std::sin(t) * outward)};
+  });
+}
+
+// A tube along a trefoil, which lies on a torus.
+template <typename Point>
+CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3<Point> trefoil_tube(int sections) {
+  using Vector = CGAL::Simple_cartesian<double>::Vector_3;
+  const double torus_radius = 3, knot_radius = 1.2, tube_radius = .5;
+  const auto on_torus = [&](double t, double radius) {
+    const double distance = torus_radius + radius * std::cos(3 * t);
+    return Vector(distance * std::cos(2 * t), distance * std::sin(2 * t), radius * std::sin(3 * t));
+  };
+  return closed_tube<Point>(sections, 6, 1, [&](double t) {
+    const double small = 1e-4;
+    const Vector center = on_torus(t, knot_radius), normal = on_torus(t, knot_radius + 1) - center;
+    const Vector along = on_torus(t + small, knot_radius) - on_torus(t - small, knot_radius);
+    const Vector side = CGAL::cross_product(along, normal) / std::sqrt(along.squared_length());
+    return Tube_section{CGAL::ORIGIN + center, tube_radius * normal, tube_radius * side};
+  });
+}
+
 // The guide that the parameterizer uses: the dual potential and the signs of the flux.
 template <typename Mesh>
-CGAL::Volume_mesh_parameterization::Status flux_guide(const Mesh& mesh,
-                                                      CGAL::Volume_mesh_parameterization::Sweep_guide_3& guide) {
+CGAL::Volume_mesh_parameterization::Status
+flux_guide(const Mesh& mesh, CGAL::Volume_mesh_parameterization::Sweep_guide_3& guide) {
   using namespace CGAL::Volume_mesh_parameterization;
   Dual_potential_3<Mesh> potential(mesh);
   Flux_field_3<Mesh> flux(mesh);

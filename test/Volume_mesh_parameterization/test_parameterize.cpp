@@ -98,6 +98,7 @@ struct Impatient_visitor {
   int* stages;
   int patience;
   bool start_stage(const char*) { return (*stages)++ < patience; }
+  bool advance(std::size_t, std::size_t) { return true; }
 };
 
 void test_visitor() {
@@ -184,6 +185,12 @@ void test_surfaces() {
   expect(VMP::parameterize_surface(surface, downwards, VMP::parameters::sweep_direction(sideways)), VMP::OK);
 }
 
+// Stops within a stage.
+struct Visitor_of_partition {
+  bool start_stage(const char*) { return true; }
+  bool advance(std::size_t, std::size_t) { return false; }
+};
+
 void test_refused_surfaces() {
   using VMP::parameters::sweep_direction;
   Parameterizer result;
@@ -194,6 +201,8 @@ void test_refused_surfaces() {
     expect(VMP::parameterize_surface(surface, result, CGAL::parameters::visitor(Impatient_visitor{&stages, patience})),
            VMP::ERROR_CANCELLED);
   }
+  expect(VMP::parameterize_surface(surface, result, CGAL::parameters::visitor(Visitor_of_partition())),
+         VMP::ERROR_CANCELLED, "while partitioning");
   surface.triangles.pop_back();
   surface.labels.clear();
   expect(VMP::parameterize_surface(surface, result), VMP::ERROR_OPEN_SURFACE);
@@ -215,50 +224,21 @@ void test_refused_surfaces() {}
 
 #endif
 
-Mesh unlabelled_block() {
+// A solid without labels gets some first, by loops if need be.
+void test_partitioned_solid() {
   Soup soup = block(1);
   soup.facets.clear();
   Mesh mesh;
   expect(mesh.assign(soup), VMP::OK);
-  return mesh;
-}
-
-void test_partition_of_solid() {
-  Mesh mesh = unlabelled_block();
-  VMP::Sweep_direction_3 direction;
-  expect(VMP::partition_solid(mesh, {{1, 0, 0}, {0, 0, 3}}, &direction), VMP::OK);
-  assert(direction == VMP::Sweep_direction_3(0, 0, 3));
-  Parameterizer result;
-  expect(VMP::parameterize(mesh, result), VMP::OK);
-
-  mesh = unlabelled_block();
-  expect(VMP::partition_solid(mesh, {}), VMP::ERROR_NO_PARTITION, "0 direction(s) tried");
-  expect(VMP::partition_solid(mesh, {CGAL::NULL_VECTOR}), VMP::ERROR_WRONG_PARAMETER);
-  for (const VMP::Labelled_facet& f : mesh.labelled_facets()) assert(f.label == VMP::INTERIOR);
-  expect(VMP::partition_solid(mesh, {{1, 0, 0}}), VMP::OK); // by loops
-  expect(VMP::parameterize(mesh, result), VMP::OK);
-}
-
-// When the solid refuses a partition the next one is tried, and other failures end the search.
-void test_refused_partitions() {
-  const Mesh mesh = unlabelled_block();
-  const std::vector<VMP::Sweep_direction_3> up_and_down = {{0, 0, 1}, {0, 0, -1}};
-  Mesh solid;
-  VMP::Sweep_direction_3 direction;
-  int calls = 0, refusals = 1;
-  VMP::Error_code reason = VMP::ERROR_FLOOR_NOT_ONTO;
-  const auto make_solid = [&](Mesh& labelled, Mesh& made) {
-    made = labelled;
-    return calls++ < refusals ? VMP::Status(reason, "for a test") : VMP::Status();
-  };
-  const auto find = [&] { return VMP::internal::find_legal_solid(mesh, up_and_down, make_solid, solid, &direction); };
-  expect(find(), VMP::OK);
-  assert(calls == 2 && direction.z() == -1 && solid.number_of_cells() > 0);
-  calls = 0, refusals = 2;
-  expect(find(), VMP::ERROR_NO_PARTITION, "for a test");
-  calls = 0, reason = VMP::ERROR_TETRAHEDRALIZATION;
-  expect(find(), VMP::ERROR_TETRAHEDRALIZATION);
-  assert(calls == 1);
+  for (const VMP::Sweep_direction_3& d : {VMP::Sweep_direction_3(0, 0, 3), VMP::Sweep_direction_3(1, 2, 0)}) {
+    Mesh labelled = mesh;
+    VMP::Partition_options options;
+    options.directions = {d};
+    expect(VMP::partition_boundary(labelled, options), VMP::OK);
+    Parameterizer result;
+    expect(VMP::parameterize(labelled, result), VMP::OK);
+    assert(result.partition().genus == 1);
+  }
 }
 
 int main() {
@@ -269,7 +249,6 @@ int main() {
   test_level_function();
   test_surfaces();
   test_refused_surfaces();
-  test_partition_of_solid();
-  test_refused_partitions();
+  test_partitioned_solid();
   return EXIT_SUCCESS;
 }

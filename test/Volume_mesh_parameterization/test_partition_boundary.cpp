@@ -2,225 +2,283 @@
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
-#include <CGAL/Volume_mesh_parameterization/Compact_tetrahedral_mesh_3.h>
+#include <CGAL/Volume_mesh_parameterization/make_triangle_soup.h>
 #include <CGAL/Volume_mesh_parameterization/partition_boundary.h>
+#include <CGAL/Volume_mesh_parameterization/validate_partition.h>
 
-#include "test_util.h"
+#include "io_test_util.h"
+#include "solid_test_util.h"
+#include "surface_test_util.h"
 
 #include <cassert>
 #include <cmath>
 #include <cstdlib>
 #include <iostream>
+#include <limits>
 #include <map>
 
 namespace VMP = CGAL::Volume_mesh_parameterization;
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Exact_kernel = CGAL::Exact_predicates_exact_constructions_kernel;
 using Point = Kernel::Point_3;
-using Soup = VMP::Triangle_soup_3<Point>;
+using Solid = VMP::Tetrahedron_soup_3<Point>;
+using Surface = VMP::Triangle_soup_3<Point>;
 using Mesh = VMP::Compact_tetrahedral_mesh_3<Kernel>;
 using Direction = VMP::Sweep_direction_3;
 
-const double pi = std::acos(-1.);
-
-// Around the z-axis, with radii 1 and 0.4.
-template <typename P>
-VMP::Triangle_soup_3<P> make_torus(std::size_t n, std::size_t m) {
-  VMP::Triangle_soup_3<P> soup;
-  for (std::size_t i = 0; i < n; ++i)
-    for (std::size_t j = 0; j < m; ++j) {
-      const double u = 2 * pi * i / n, v = 2 * pi * (j + .3) / m, r = 1 + .4 * std::cos(v);
-      soup.points.push_back(P(r * std::cos(u), r * std::sin(u), .4 * std::sin(v)));
-      const std::size_t a = i * m + j, b = (i + 1) % n * m + j, c = i * m + (j + 1) % m,
-                        d = (i + 1) % n * m + (j + 1) % m;
-      soup.triangles.push_back({a, b, d});
-      soup.triangles.push_back({a, d, c});
-    }
-  return soup;
-}
-
-Mesh make_mesh(const VMP::Tetrahedron_soup_3<Point>& soup) {
-  Mesh mesh;
-  const VMP::Status status = mesh.assign(soup);
-  assert(status.ok());
+template <typename K>
+VMP::Compact_tetrahedral_mesh_3<K> unlabelled(VMP::Tetrahedron_soup_3<typename K::Point_3> soup) {
+  soup.facets.clear();
+  VMP::Compact_tetrahedral_mesh_3<K> mesh;
+  expect(mesh.assign(soup), VMP::OK);
   return mesh;
 }
 
-// Halfway from a cube of edge 3 to the ball in it.
-Mesh make_ball() {
-  auto soup = Block_with_holes<Point>(0, 4, 12, 3).soup();
-  for (Point& p : soup.points) {
-    const Kernel::Vector_3 d(3 * (p.x() - .5), p.y() - 1.5, p.z() - 1.5);
-    const double largest = std::max({std::abs(d.x()), std::abs(d.y()), std::abs(d.z())});
-    const double length = std::sqrt(d.squared_length());
-    p = CGAL::ORIGIN + (length > 0 ? (1 + largest / length) / 2 : 1) * d;
-  }
-  return make_mesh(soup);
-}
-
-template <typename Surface>
-VMP::Boundary_partition_3 summarize(const Surface& surface) {
-  const auto approximate = VMP::internal::approximate_surface(surface);
-  assert(approximate.adjacency.status().ok());
-  assert(VMP::internal::validate_labels(surface).ok());
-  return VMP::internal::summarize(approximate.adjacency, VMP::internal::boundary_labels(surface),
-                                  approximate.areas);
-}
-
-double area(const VMP::Boundary_partition_3& partition, int label) { return partition.find(label)->area; }
-
-// By symmetry floor and ceiling have the same area; each wall has about a fifth of its side.
-template <typename P>
-void test_torus() {
-  auto soup = make_torus<P>(48, 24);
-  const std::size_t number_of_points = soup.points.size();
-  const auto original = soup.points;
+VMP::Partition_options along(const Direction& direction, double wall_width = .5) {
   VMP::Partition_options options;
-  options.wall_width = .2;
-  const VMP::Status status = VMP::partition_boundary(soup, Direction(0, 0, 5), options);
-  assert(status.ok());
-  assert(soup.points.size() > number_of_points && soup.labels.size() == soup.triangles.size());
-  assert(std::equal(original.begin(), original.end(), soup.points.begin()));
-  const auto partition = summarize(soup);
-  assert(partition.genus == 1);
-  const double total = 4 * pi * pi * .4;
-  assert(std::abs(area(partition, VMP::FLOOR) - .4 * total) < .03 * total);
-  assert(std::abs(area(partition, VMP::CEILING) - area(partition, VMP::FLOOR)) < .03 * total);
-  assert(area(partition, VMP::FIRST_WALL) > .1 * total && area(partition, VMP::FIRST_WALL + 1) > .04 * total);
-  for (std::size_t t = 0; t < soup.triangles.size(); ++t)
-    for (std::size_t v : soup.triangles[t]) {
-      const double z = CGAL::to_double(soup.points[v].z());
-      if (soup.labels[t] == VMP::FLOOR) assert(z < 0);
-      if (soup.labels[t] == VMP::CEILING) assert(z > 0);
-    }
+  options.directions = {direction};
+  options.wall_width = wall_width;
+  return options;
 }
 
-void test_wall_width() {
-  double last = 0;
-  for (double width : {.05, .1, .2, .4}) {
-    Soup soup = make_torus<Point>(48, 24);
-    VMP::Partition_options options;
-    options.wall_width = width;
-    const VMP::Status status = VMP::partition_boundary(soup, Direction(0, 0, 1), options);
-    assert(status.ok());
-    const double now = area(summarize(soup), VMP::FIRST_WALL);
-    assert(now > last);
-    last = now;
-  }
+// All cells are positive and the labels legal.
+template <typename Mesh>
+VMP::Boundary_partition_3 validate(const Mesh& mesh) {
+  expect(VMP::check_tetrahedral_mesh(mesh), VMP::OK);
+  VMP::Boundary_partition_3 summary;
+  VMP::Handlebody_certificate certificate;
+  expect(VMP::validate_solid(mesh, summary, certificate), VMP::OK);
+  return summary;
 }
 
-// On the block the creases give the labels: those of the generator, up to the numbers of the walls.
+template <typename Mesh>
+VMP::Partition_quality quality_of(const Mesh& mesh, const Direction& direction) {
+  VMP::Partition_quality quality;
+  expect(VMP::measure_partition(mesh, direction, quality), VMP::OK);
+  return quality;
+}
+
+// On a block the creases give the labels: those of the generator, up to the numbers of the walls.
+template <typename K>
 void test_block(int holes) {
-  const Mesh original = make_mesh(Block_with_holes<Point>(holes, 2, 2).soup());
-  Mesh mesh = original;
-  for (VMP::Facet_index f : mesh.boundary_facets()) mesh.set_label(f, 0);
-  VMP::Partition_options options;
-  options.may_refine = false;
-  const VMP::Status status = VMP::partition_boundary(mesh, Direction(.05, 0, 1), options);
-  assert(status.ok());
-  assert(mesh.number_of_cells() == original.number_of_cells());
+  VMP::Compact_tetrahedral_mesh_3<K> original;
+  expect(original.assign(Block_with_holes<typename K::Point_3>(holes, 2, 2).soup()), VMP::OK);
+  auto mesh = unlabelled<K>(make_soup(original));
+  VMP::Partition_candidate_3 chosen;
+  expect(VMP::partition_boundary(mesh, along({.05, 0, 1}), &chosen), VMP::OK);
+  assert(chosen.method == VMP::BY_CREASES && chosen.partition.genus == holes);
+  assert(mesh.points() == original.points() && mesh.number_of_cells() == original.number_of_cells());
   std::map<int, int> renumbered;
   for (VMP::Facet_index f : mesh.boundary_facets())
     assert(renumbered.emplace(original.label(f), mesh.label(f)).first->second == mesh.label(f));
   assert(renumbered.size() == std::size_t(holes + 3));
   assert(renumbered[VMP::FLOOR] == VMP::FLOOR && renumbered[VMP::CEILING] == VMP::CEILING);
-  assert(renumbered[VMP::FIRST_WALL] == VMP::FIRST_WALL);
+  assert(renumbered[VMP::FIRST_WALL] == VMP::FIRST_WALL); // the outer one is the largest
 }
 
-void test_orientation(const Mesh& mesh) {
-  for (VMP::Cell_index c : mesh.cells()) {
-    const auto& v = mesh.cell(c);
-    assert(CGAL::orientation(mesh.point(v[0]), mesh.point(v[1]), mesh.point(v[2]), mesh.point(v[3])) ==
-           CGAL::POSITIVE);
+// A smooth solid that the direction halves by symmetry.
+template <typename K>
+void test_smooth(const VMP::Tetrahedron_soup_3<typename K::Point_3>& soup, const Direction& direction,
+                 int genus) {
+  const auto original = unlabelled<K>(soup);
+  auto mesh = original;
+  VMP::Partition_candidate_3 chosen;
+  expect(VMP::partition_boundary(mesh, along(direction), &chosen), VMP::OK);
+  assert(chosen.method == VMP::BY_NORMALS && validate(mesh).genus == genus);
+  assert(mesh.number_of_vertices() > original.number_of_vertices());
+  assert(std::equal(original.points().begin(), original.points().end(), mesh.points().begin()));
+  const VMP::Partition_quality quality = quality_of(mesh, direction);
+  std::cout << "balance " << quality.balance << ", walls " << quality.wall_share << ", zigzag "
+            << quality.zigzag << ", alignment " << quality.alignment << std::endl;
+  assert(quality.balance > .97 && quality.zigzag < 1.05 && quality.alignment > .8);
+  assert(std::abs(quality.zigzag - chosen.quality.zigzag) < 1e-3); // its curves start elsewhere
+  for (const VMP::Labelled_facet& f : mesh.labelled_facets())
+    for (std::size_t v : f.vertices) {
+      const double rise = (VMP::internal::approximate(mesh.point(v)) - CGAL::ORIGIN) * direction;
+      assert(f.label != VMP::FLOOR || rise < 0);
+      assert(f.label != VMP::CEILING || rise > 0);
+    }
+}
+
+void test_smooth_solids() {
+  test_smooth<Kernel>(solid_torus<Point>(48, 24, 2), {0, 0, 5}, 1);
+  test_smooth<Kernel>(ball<Point>(4), {1, 1, 1}, 0);
+  test_smooth<Exact_kernel>(solid_torus<Exact_kernel::Point_3>(48, 24, 1), {0, 0, 1}, 1);
+}
+
+// Wider walls have more area, and leave smaller bases.
+void test_wall_width() {
+  double last = 0;
+  for (double width : {.05, .1, .2, .4, .6}) {
+    Mesh mesh = unlabelled<Kernel>(solid_torus<Point>(48, 24, 2));
+    expect(VMP::partition_boundary(mesh, along({0, 0, 1}, width)), VMP::OK);
+    const double share = quality_of(mesh, {0, 0, 1}).wall_share;
+    assert(share > 1.2 * last);
+    last = share;
   }
 }
 
-void test_tetrahedra() {
-  Mesh mesh = make_ball();
-  test_orientation(mesh);
-  const std::size_t number_of_cells = mesh.number_of_cells();
-  VMP::Partition_options options;
-  options.wall_width = .2;
-  const VMP::Status status = VMP::partition_boundary(mesh, Direction(1, 1, 1), options);
-  assert(status.ok());
-  assert(mesh.number_of_cells() > number_of_cells);
-  const auto partition = summarize(mesh);
-  assert(partition.genus == 0);
-  assert(area(partition, VMP::FIRST_WALL) > 5 && area(partition, VMP::FIRST_WALL) < 15);
-  test_orientation(mesh);
+// Neither labels that the solid has nor a lack of them matter, if they are not to be kept or mended.
+void test_labels_are_ignored() {
+  Mesh labelled, other = unlabelled<Kernel>(Block_with_holes<Point>(1, 2, 2).soup());
+  expect(labelled.assign(make_soup(other)), VMP::OK);
+  for (VMP::Facet_index f : labelled.boundary_facets()) labelled.set_label(f, VMP::FLOOR);
+  expect(VMP::partition_boundary(labelled), VMP::OK);
+  expect(VMP::partition_boundary(other), VMP::OK);
+  assert(labelled.points() == other.points());
+  for (VMP::Facet_index f : other.boundary_facets()) assert(labelled.label(f) == other.label(f));
 }
 
-// Every partition of the search is legal by counts; it ends, and the same search gives the same partitions.
-void test_search() {
-  const Soup soup = make_torus<Point>(24, 12);
-  const auto directions = VMP::propose_directions(soup);
-  assert(directions.size() >= 10);
-  VMP::Boundary_partition_search_3<Soup> search(soup, directions), again(soup, directions);
-  Soup result, same;
-  int number_of_partitions = 0;
-  VMP::Status status;
-  while ((status = search.next(result)).ok()) {
-    summarize(result);
-    assert(again.next(same).ok());
-    assert(same.points == result.points && same.labels == result.labels &&
-           again.direction() == search.direction());
-    ++number_of_partitions;
+void expect_refusal(const Mesh& solid, const VMP::Partition_options& options, VMP::Error_code code) {
+  Mesh mesh = solid;
+  VMP::Partition_candidate_3 chosen = {VMP::BY_LABELS, {1, 2, 3}, {}, {}, 17};
+  expect(VMP::partition_boundary(mesh, options, &chosen), code);
+  assert(mesh.points() == solid.points() && mesh.number_of_cells() == solid.number_of_cells());
+  for (VMP::Facet_index f : mesh.boundary_facets()) assert(mesh.label(f) == solid.label(f));
+  assert(chosen.cost == 17);
+}
+
+// The points of the soup twice, at first where they are.
+template <typename Soup>
+Soup with_doubled_points(const Soup& soup) {
+  Soup result = soup;
+  for (const Point& p : soup.points) result.points.push_back(p + Kernel::Vector_3(50, 0, 0));
+  return result;
+}
+
+Solid two_blocks() {
+  Solid soup = Block_with_holes<Point>(1, 1, 1).soup();
+  const std::size_t n = soup.points.size();
+  for (auto cell : Solid(soup).cells) {
+    for (std::size_t& v : cell) v += n;
+    soup.cells.push_back(cell);
   }
-  assert(status.code() == VMP::ERROR_NO_PARTITION);
-  assert(number_of_partitions > 0 && number_of_partitions <= int(directions.size()));
-  Soup automatic = soup;
-  Direction direction;
-  status = VMP::partition_boundary(automatic, VMP::Partition_options(), &direction);
-  assert(status.ok() && std::find(directions.begin(), directions.end(), direction) != directions.end());
-}
-
-// A plate is seen best from above; the sides of a block are bases or walls from each axis.
-void test_directions() {
-  const auto approximate =
-      VMP::internal::approximate_surface(make_mesh(Block_with_holes<Point>(1, 2, 2).soup()));
-  for (const Direction& axis : {Direction(1, 0, 0), Direction(0, 1, 0), Direction(0, 0, 1)})
-    assert(VMP::internal::score(approximate, axis).slant < 1e-12);
-  Mesh plate = make_mesh(Block_with_holes<Point>(0, 2, 1, .01).soup());
-  assert(VMP::propose_directions(plate).front() == Direction(0, 0, 1));
+  return with_doubled_points(soup);
 }
 
 void test_refusals() {
-  Soup soup = make_torus<Point>(12, 8);
-  const Soup original = soup;
-  assert(VMP::partition_boundary(soup, Direction(0, 0, 0)).code() == VMP::ERROR_WRONG_PARAMETER);
-  assert(VMP::partition_boundary(soup, Direction(0, 0, NAN)).code() == VMP::ERROR_WRONG_PARAMETER);
-  VMP::Partition_options options;
-  options.may_refine = false;
-  assert(VMP::partition_boundary(soup, Direction(0, 0, 1), options).code() == VMP::ERROR_NO_PARTITION);
-  assert(soup.points == original.points && soup.triangles == original.triangles && soup.labels.empty());
-  soup.triangles.pop_back();
-  assert(VMP::partition_boundary(soup, Direction(0, 0, 1)).code() == VMP::ERROR_OPEN_SURFACE);
-  soup.triangles.push_back(soup.triangles.back());
-  assert(VMP::partition_boundary(soup, Direction(0, 0, 1)).code() != VMP::OK);
-  soup = original;
-  soup.triangles.push_back(soup.triangles.back());
-  assert(VMP::partition_boundary(soup, Direction(0, 0, 1)).code() == VMP::ERROR_NON_MANIFOLD);
-  assert(VMP::partition_boundary(soup).code() == VMP::ERROR_NON_MANIFOLD);
-  soup = original;
-  for (const Point& p : original.points) soup.points.push_back(p + Kernel::Vector_3(5, 0, 0));
-  for (auto triangle : original.triangles) {
-    for (std::size_t& v : triangle) v += original.points.size();
-    soup.triangles.push_back(triangle);
+  const Mesh block = unlabelled<Kernel>(Block_with_holes<Point>(1, 1, 1).soup());
+  const double infinity = std::numeric_limits<double>::infinity();
+  for (const Direction& d : {Direction(0, 0, 0), Direction(0, 0, NAN), Direction(infinity, 0, 0)}) {
+    expect_refusal(block, along(d), VMP::ERROR_WRONG_PARAMETER);
+    VMP::Partition_options second = along({0, 0, 1});
+    second.directions.push_back(d);
+    expect_refusal(block, second, VMP::ERROR_WRONG_PARAMETER);
   }
-  assert(VMP::partition_boundary(soup).code() == VMP::ERROR_SEVERAL_COMPONENTS);
-  soup = Soup();
-  assert(VMP::partition_boundary(soup).code() == VMP::ERROR_EMPTY_MESH);
+  expect_refusal(Mesh(), {}, VMP::ERROR_EMPTY_MESH);
+  expect_refusal(unlabelled<Kernel>(two_blocks()), {}, VMP::ERROR_SEVERAL_COMPONENTS);
+  Solid pinched;
+  pinched.points = {{0, 0, 0}, {0, 0, 1}, {1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}};
+  pinched.cells = {{{0, 2, 3, 1}}, {{0, 4, 5, 1}}};
+  expect_refusal(unlabelled<Kernel>(pinched), {}, VMP::ERROR_NON_MANIFOLD);
 }
 
+void expect_refusal(const Surface& surface, const VMP::Partition_options& options, VMP::Error_code code) {
+  Surface copy = surface;
+  Mesh solid;
+  expect(VMP::partition_surface<Kernel>(copy, options), code);
+  assert(copy.points == surface.points && copy.triangles == surface.triangles &&
+         copy.labels == surface.labels);
+  expect(VMP::partition_and_tetrahedralize(surface, options, 1000, solid), code);
+  assert(solid.number_of_cells() == 0);
+}
+
+#ifdef CGAL_VOLUME_MESH_PARAMETERIZATION_USE_TETGEN
+
+double area(const Surface& surface) {
+  const auto approximate = VMP::internal::approximate_surface(surface);
+  assert(approximate.adjacency.status().ok());
+  return approximate.total_area;
+}
+
+// The surface is cut finer, nothing else.
+void test_surface(Surface surface, const VMP::Partition_options& options, int genus) {
+  surface.labels.clear();
+  const Surface original = surface;
+  VMP::Partition_candidate_3 chosen;
+  expect(VMP::partition_surface<Kernel>(surface, options, &chosen), VMP::OK);
+  assert(surface.labels.size() == surface.triangles.size());
+  assert(std::equal(original.points.begin(), original.points.end(), surface.points.begin()));
+  assert(surface.triangles.size() ==
+         original.triangles.size() + 2 * (surface.points.size() - original.points.size()));
+  assert(std::abs(area(surface) - area(original)) < 1e-12 * area(original));
+  const auto approximate = VMP::internal::approximate_surface(surface);
+  expect(VMP::internal::validate_labels(approximate, surface.labels), VMP::OK);
+  assert(chosen.partition.genus == genus && chosen.quality.zigzag < 1.05);
+
+  Mesh solid;
+  expect(VMP::partition_and_tetrahedralize(original, options, 20000, solid), VMP::OK);
+  assert(validate(solid).genus == genus);
+  assert(std::equal(surface.points.begin(), surface.points.end(), solid.points().begin()));
+}
+
+void test_surfaces() {
+  test_surface(block_surface<Point>(2, 1, 1), {}, 2);
+  test_surface(make_boundary_soup(unlabelled<Kernel>(solid_torus<Point>(48, 24, 1))), along({0, 0, 1}), 1);
+  test_surface(make_boundary_soup(unlabelled<Kernel>(ball<Point>(2))), along({1, 2, 3}), 0);
+  Surface inside_out = block_surface<Point>(1, 1, 1);
+  for (auto& t : inside_out.triangles) std::swap(t[0], t[1]);
+  test_surface(inside_out, along({0, 0, 1}), 1);
+  VMP::Triangle_soup_3<Exact_kernel::Point_3> exact = block_surface<Exact_kernel::Point_3>(1, 1, 1);
+  expect(VMP::partition_surface<Exact_kernel>(exact, along({1, 2, 3})), VMP::OK);
+}
+
+// Facets keep labels that they have, as on solids.
+void test_picks_on_surface() {
+  Surface surface = block_surface<Point>(1, 1, 1);
+  VMP::Partition_options options;
+  options.given_labels = VMP::KEEP_LABELS;
+  for (int& label : surface.labels)
+    if (label != VMP::FIRST_WALL) label = VMP::INTERIOR;
+  const Surface picked = surface;
+  expect(VMP::partition_surface<Kernel>(surface, options), VMP::OK);
+  for (std::size_t t = 0; t < picked.labels.size(); ++t)
+    assert(picked.labels[t] == VMP::INTERIOR || surface.labels[t] == VMP::FIRST_WALL);
+}
+
+void test_refused_surfaces() {
+  const Surface block = block_surface<Point>(1, 1, 1);
+  expect_refusal(block, along({0, 0, 0}), VMP::ERROR_WRONG_PARAMETER);
+  expect_refusal(block, along({0, 0, NAN}), VMP::ERROR_WRONG_PARAMETER);
+  expect_refusal(Surface(), {}, VMP::ERROR_EMPTY_MESH);
+  Surface surface = block;
+  surface.triangles.pop_back();
+  surface.labels.pop_back();
+  expect_refusal(surface, {}, VMP::ERROR_OPEN_SURFACE);
+  surface = block;
+  surface.triangles.push_back(surface.triangles.back());
+  surface.labels.push_back(0);
+  expect_refusal(surface, {}, VMP::ERROR_NON_MANIFOLD);
+  surface = with_doubled_points(block);
+  surface.labels.clear();
+  for (auto triangle : block.triangles) {
+    for (std::size_t& v : triangle) v += block.points.size();
+    surface.triangles.push_back(triangle);
+  }
+  expect_refusal(surface, {}, VMP::ERROR_SEVERAL_COMPONENTS);
+  expect_refusal(self_intersecting_surface<Point>(), {}, VMP::ERROR_SELF_INTERSECTION);
+  surface = block;
+  surface.triangles[3][1] = surface.points.size();
+  expect_refusal(surface, {}, VMP::ERROR_INDEX_OUT_OF_RANGE);
+}
+
+#else
+
+void test_surfaces() { expect_refusal(block_surface<Point>(1, 1, 1), {}, VMP::ERROR_MISSING_LIBRARY); }
+void test_picks_on_surface() {}
+void test_refused_surfaces() {}
+
+#endif
+
 int main() {
-  test_torus<Point>();
-  test_torus<Exact_kernel::Point_3>();
+  for (int holes = 0; holes <= 4; ++holes) test_block<Kernel>(holes);
+  test_block<Exact_kernel>(1);
+  test_smooth_solids();
   test_wall_width();
-  for (int holes = 0; holes <= 4; ++holes) test_block(holes);
-  test_tetrahedra();
-  test_search();
-  test_directions();
+  test_labels_are_ignored();
   test_refusals();
-  std::cout << "done" << std::endl;
+  test_surfaces();
+  test_picks_on_surface();
+  test_refused_surfaces();
   return EXIT_SUCCESS;
 }

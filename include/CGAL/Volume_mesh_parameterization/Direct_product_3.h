@@ -121,7 +121,7 @@ protected:
       if (status.ok()) status = internal::run_stage(visitor, name, function);
     };
     stage("check the mesh", [&] { return read(mesh); });
-    stage("validate the partition", [&] { return validate(); });
+    stage("validate the partition", [&] { return validate_solid(m_mesh, m_partition, m_certificate); });
     stage("prepare the patches", [&] { return prepare_patches(m_mesh, m_preparation); });
     stage("solve for potential and flux, and sweep", [&] { return sweep_cells<ConcurrencyTag>(); });
     stage("solve for the harmonic function", [&] { return solve(m_harmonic_function); });
@@ -139,13 +139,6 @@ private:
   Status read(const TetrahedralMesh& mesh) {
     const Status status = m_mesh.assign(mesh);
     return status.ok() ? check_tetrahedral_mesh(m_mesh) : status;
-  }
-
-  Status validate() {
-    Status status = validate_partition(m_mesh, m_partition);
-    if (status.ok()) status = certify_handlebody(m_mesh, m_certificate);
-    if (status.ok()) status = validate_fundamental_group(m_mesh, m_certificate);
-    return status;
   }
 
   template <typename Field>

@@ -14,12 +14,12 @@
 #include <CGAL/Volume_mesh_parameterization/Hexahedron_soup_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Carriers_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Hexahedra_optimizer.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Hexahedron_facets.h>
 #include <CGAL/Volume_mesh_parameterization/verify_hexahedra.h>
 
 #include <Eigen/Dense>
 
 #include <algorithm>
-#include <array>
 #include <limits>
 #include <string>
 #include <tuple>
@@ -45,30 +45,23 @@ struct Hexahedra_optimization {
 
 namespace internal {
 
-// Each facet in two hexahedra, or in one and labelled.
+// The labelled quadrilaterals are the facets in one hexahedron, each once.
 template <typename Point>
 Status check_labels(const Hexahedron_soup_3<Point>& hexahedra) {
-  using Quadrilateral = std::array<std::size_t, 4>;
-  std::vector<std::pair<Quadrilateral, bool>> facets; // the latter tells whether this is a label
-  const auto add = [&](Quadrilateral q, bool is_label) {
-    std::sort(q.begin(), q.end());
-    facets.emplace_back(q, is_label);
-  };
-  for (const auto& h : hexahedra.hexahedra)
-    for (const auto& f : Reference_hexahedron::facets) add({h[f[0]], h[f[1]], h[f[2]], h[f[3]]}, false);
-  for (const Labelled_quadrilateral& q : hexahedra.facets) add(q.vertices, true);
-  std::sort(facets.begin(), facets.end());
-  for (std::size_t k = 0, end; k < facets.size(); k = end) {
-    int labels = 0;
-    for (end = k; end < facets.size() && facets[end].first == facets[k].first; ++end)
-      labels += facets[end].second;
-    const Quadrilateral& q = facets[k].first;
-    const std::string name = "quadrilateral " + std::to_string(q[0]) + ", " + std::to_string(q[1]) + ", " +
-                             std::to_string(q[2]) + ", " + std::to_string(q[3]);
-    if (labels == 0 && end - k == 1) return {ERROR_UNLABELLED_FACET, name};
-    if (labels > 0 && (labels > 1 || end - k != 2)) return {ERROR_LABEL_NOT_ON_BOUNDARY, name};
+  using Quadrilaterals = std::vector<Hexahedron_facets::Quadrilateral>;
+  Quadrilaterals boundary = Hexahedron_facets(hexahedra.hexahedra).boundary, labelled;
+  for (const Labelled_quadrilateral& q : hexahedra.facets) labelled.push_back(q.vertices);
+  for (Quadrilaterals* list : {&boundary, &labelled}) {
+    for (auto& q : *list) std::sort(q.begin(), q.end());
+    std::sort(list->begin(), list->end());
   }
-  return {};
+  const auto [b, l] = std::mismatch(boundary.begin(), boundary.end(), labelled.begin(), labelled.end());
+  if (b == boundary.end() && l == labelled.end()) return {};
+  const bool lacks_label = l == labelled.end() || (b != boundary.end() && *b < *l);
+  const auto& q = lacks_label ? *b : *l;
+  return {lacks_label ? ERROR_UNLABELLED_FACET : ERROR_LABEL_NOT_ON_BOUNDARY,
+          "quadrilateral " + std::to_string(q[0]) + ", " + std::to_string(q[1]) + ", " +
+              std::to_string(q[2]) + ", " + std::to_string(q[3])};
 }
 
 // Nodes of quadrilaterals with one label move on that patch, with two on the rim between them, others freely.

@@ -14,7 +14,7 @@
 #include <CGAL/Volume_mesh_parameterization/check_surface.h>
 #include <CGAL/Volume_mesh_parameterization/make_triangle_soup.h>
 #include <CGAL/Volume_mesh_parameterization/parameters.h>
-#include <CGAL/Volume_mesh_parameterization/partition_and_tetrahedralize.h>
+#include <CGAL/Volume_mesh_parameterization/partition_boundary.h>
 
 #include <CGAL/number_utils.h>
 
@@ -40,7 +40,7 @@ call its function `label_boundary()` for the mesh, and construct `result` with i
 \tparam FloorMap a model of `VolumeFloorMap_3`
 \tparam NamedParameters a sequence of named parameters
 
-\param mesh a handlebody whose boundary facets are labelled: 1 floor, 2 ceiling, 3 + k wall k. `partition_solid()` finds
+\param mesh a handlebody whose boundary facets are labelled: 1 floor, 2 ceiling, 3 + k wall k. `partition_boundary()` finds
 labels for one that has none
 \param result receives what every stage computes; may be used once
 \param np an optional sequence of named parameters among the ones listed below
@@ -77,13 +77,10 @@ Status parameterize(const TetrahedralMesh& mesh, Direct_product_parameterizer_3<
 
 namespace internal {
 
-template <typename Surface>
-std::vector<Sweep_direction_3> directions_to_try(const Surface& surface, CGAL::internal_np::Param_not_found) {
-  return propose_directions(surface);
-}
+inline std::vector<Sweep_direction_3> directions_to_try(CGAL::internal_np::Param_not_found) { return {}; }
 
-template <typename Surface, typename Vector>
-std::vector<Sweep_direction_3> directions_to_try(const Surface&, const Vector& given) {
+template <typename Vector>
+std::vector<Sweep_direction_3> directions_to_try(const Vector& given) {
   return {
       Sweep_direction_3(CGAL::to_double(given.x()), CGAL::to_double(given.y()), CGAL::to_double(given.z()))};
 }
@@ -112,7 +109,7 @@ Needs TetGen: see `tetrahedralize()`.
   \cgalParamNBegin{sweep_direction}
     \cgalParamDescription{the direction from the floor to the ceiling}
     \cgalParamType{a vector of a \cgal kernel, of any length but 0}
-    \cgalParamDefault{the first one of `propose_directions()` that gives a legal partition}
+    \cgalParamDefault{the best partition of `Partition_search_3` is taken}
   \cgalParamNEnd
   \cgalParamNBegin{number_of_cells}
     \cgalParamDescription{about how many tetrahedra are wanted, as far as the given triangles allow; 0: as many as their
@@ -141,9 +138,9 @@ Status parameterize_surface(const Triangle_soup_3<Point>& surface,
   Status status = internal::run_stage(visitor, "check the surface", [&] { return check_surface(checked); });
   if (status.ok())
     status = internal::run_stage(visitor, "partition and tetrahedralize", [&] {
-      const auto directions =
-          internal::directions_to_try(checked, get_parameter(np, internal_np::sweep_direction));
-      return partition_and_tetrahedralize(checked, directions, number_of_cells, solid);
+      Partition_options options;
+      options.directions = internal::directions_to_try(get_parameter(np, internal_np::sweep_direction));
+      return partition_and_tetrahedralize(checked, options, number_of_cells, solid, nullptr, visitor);
     });
   return status.ok() ? parameterize<ConcurrencyTag>(solid, result, np) : status;
 }

@@ -15,6 +15,7 @@
 
 #include <CGAL/Named_function_parameters.h>
 
+#include <cstddef>
 #include <string>
 
 namespace CGAL {
@@ -29,6 +30,8 @@ functions.
 struct Default_parameterization_visitor {
   /// is called before each stage with its name; stops the parameterization by returning `false`.
   bool start_stage(const char* /*name*/) { return true; }
+  /// is called within a long stage, when `done` of `all` steps are done; stops it by returning `false`.
+  bool advance(std::size_t /*done*/, std::size_t /*all*/) { return true; }
 };
 
 /// \ingroup PkgVolumeMeshParameterizationRef

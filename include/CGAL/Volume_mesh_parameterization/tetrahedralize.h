@@ -108,6 +108,21 @@ Status tetrahedralize(const Triangle_soup_3<Point>& surface, Tetrahedron_soup_3<
 #endif
 }
 
+/*!
+\ingroup PkgVolumeMeshParameterizationMesh
+
+fills a surface as the function above and copies the result to `mesh`, which is left as it was on failure.
+
+\tparam GeomTraits a model of `VolumeParameterizationTraits_3` with the points of the surface
+*/
+template <typename GeomTraits>
+Status tetrahedralize(const Triangle_soup_3<typename GeomTraits::Point_3>& surface,
+                      Compact_tetrahedral_mesh_3<GeomTraits>& mesh, std::size_t number_of_cells = 0) {
+  Tetrahedron_soup_3<typename GeomTraits::Point_3> soup;
+  const Status status = tetrahedralize(surface, soup, number_of_cells);
+  return status.ok() ? mesh.assign(soup) : status;
+}
+
 } // namespace Volume_mesh_parameterization
 } // namespace CGAL
 

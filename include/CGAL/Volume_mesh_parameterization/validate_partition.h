@@ -21,6 +21,7 @@
 #include <algorithm>
 #include <array>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -192,36 +193,56 @@ Status validate_partition(const Compact_tetrahedral_mesh_3<GeomTraits>& mesh, Bo
 
 namespace internal {
 
-// Contracts the edges of a patch that are trivial in the fundamental group and folds the others.
-template <typename GeomTraits>
-bool carries_fundamental_group(const Compact_tetrahedral_mesh_3<GeomTraits>& mesh,
-                               const Handlebody_certificate& certificate, int label) {
-  Disjoint_sets sets(mesh.number_of_vertices());
-  std::vector<Edge_index> nontrivial;
-  for (Facet_index f : mesh.boundary_facets()) {
-    if (mesh.label(f) != label) continue;
-    const auto v = mesh.vertices(f);
-    for (int i = 0; i < 3; ++i) {
-      const Edge_index e = certificate.edges().find(v[i], v[(i + 1) % 3]);
-      if (certificate.word(e).empty())
-        sets.join(v[i], v[(i + 1) % 3]);
-      else
-        nontrivial.push_back(e);
-    }
+// Edges of a patch, given by its vertices; an edge inside the patch may come twice.
+using Patch_edges = std::vector<std::array<Vertex_index, 2>>;
+
+/*
+Whether the loops of a patch generate the fundamental group of the solid. Vertices of the patch that are none of the solid
+are `moved_to` one, along a homotopy that maps edges to edges or vertices. Edges that are trivial in the group are
+contracted, the others folded.
+*/
+inline bool carries_fundamental_group(const Handlebody_certificate& certificate, const Patch_edges& edges,
+                                      const std::vector<Vertex_index>& moved_to) {
+  Disjoint_sets sets(moved_to.size());
+  Patch_edges nontrivial;
+  const auto word = [&](Vertex_index v, Vertex_index w) {
+    return certificate.word(certificate.edges().find(moved_to[v], moved_to[w]));
+  };
+  for (auto [v, w] : edges) {
+    if (moved_to[w] < moved_to[v]) std::swap(v, w);
+    if (moved_to[v] == moved_to[w] || word(v, w).empty())
+      sets.join(v, w);
+    else
+      nontrivial.push_back({v, w});
   }
   std::sort(nontrivial.begin(), nontrivial.end());
   nontrivial.erase(std::unique(nontrivial.begin(), nontrivial.end()), nontrivial.end());
   Stallings_graph graph(certificate.genus());
-  std::vector<Stallings_graph::Node> node_of(mesh.number_of_vertices(), Stallings_graph::none);
+  std::vector<Stallings_graph::Node> node_of(moved_to.size(), Stallings_graph::none);
   const auto node = [&](Vertex_index v) -> Stallings_graph::Node {
     Stallings_graph::Node& result = node_of[sets.representative(v)];
     if (result == Stallings_graph::none) result = graph.add_node();
     return result;
   };
-  for (Edge_index e : nontrivial)
-    graph.add_path(node(certificate.edges().ends(e)[0]), certificate.word(e),
-                   node(certificate.edges().ends(e)[1]));
+  for (const auto& [v, w] : nontrivial) graph.add_path(node(v), word(v, w), node(w));
   return graph.is_whole_group();
+}
+
+// triangle(f) are the vertices of the facet with the label labels[f].
+template <typename Triangle>
+Status check_bases_carry_group(const Handlebody_certificate& certificate, const std::vector<int>& labels,
+                               const Triangle& triangle, const std::vector<Vertex_index>& moved_to) {
+  for (int label : {FLOOR, CEILING}) {
+    Patch_edges edges;
+    for (std::size_t f = 0; f < labels.size(); ++f) {
+      if (labels[f] != label) continue;
+      const auto t = triangle(f);
+      for (int i = 0; i < 3; ++i) edges.push_back({Vertex_index(t[i]), Vertex_index(t[(i + 1) % 3])});
+    }
+    if (!carries_fundamental_group(certificate, edges, moved_to))
+      return {ERROR_FLOOR_NOT_ONTO, "some loop of the solid cannot be pushed into the " + patch_name(label)};
+  }
+  return {};
 }
 
 } // namespace internal
@@ -243,10 +264,23 @@ The generators are folded as in J. R. Stallings, Topology of finite graphs, Inve
 template <typename GeomTraits>
 Status validate_fundamental_group(const Compact_tetrahedral_mesh_3<GeomTraits>& mesh,
                                   const Handlebody_certificate& certificate) {
-  for (int label : {FLOOR, CEILING})
-    if (!internal::carries_fundamental_group(mesh, certificate, label))
-      return {ERROR_FLOOR_NOT_ONTO, "some loop of the solid cannot be pushed into the " + patch_name(label)};
-  return {};
+  const std::vector<Vertex_index> vertices(mesh.vertices().begin(), mesh.vertices().end());
+  const auto triangle = [&](std::size_t f) { return mesh.vertices(Facet_index(f)); };
+  return internal::check_bases_carry_group(certificate, internal::boundary_labels(mesh), triangle, vertices);
+}
+
+/*!
+\ingroup PkgVolumeMeshParameterizationPartition
+
+checks all conditions on a partition at once: those of `validate_partition()`, `certify_handlebody()` and
+`validate_fundamental_group()`, which fill `summary` and `certificate`.
+*/
+template <typename GeomTraits>
+Status validate_solid(const Compact_tetrahedral_mesh_3<GeomTraits>& mesh, Boundary_partition_3& summary,
+                      Handlebody_certificate& certificate) {
+  Status status = validate_partition(mesh, summary);
+  if (status.ok()) status = certify_handlebody(mesh, certificate);
+  return status.ok() ? validate_fundamental_group(mesh, certificate) : status;
 }
 
 } // namespace Volume_mesh_parameterization

@@ -11,10 +11,12 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/internal/Carriers_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Hexahedron_facets.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Incidence_lists.h>
-#include <CGAL/Volume_mesh_parameterization/verify_hexahedra.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Kernel/global_functions.h>
+#include <CGAL/enum.h>
 
 #include <Eigen/Dense>
 

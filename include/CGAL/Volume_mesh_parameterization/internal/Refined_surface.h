@@ -13,6 +13,7 @@
 #include <CGAL/Volume_mesh_parameterization/Compact_tetrahedral_mesh_3.h>
 #include <CGAL/Volume_mesh_parameterization/indices.h>
 #include <CGAL/Volume_mesh_parameterization/internal/geometric_order.h>
+#include <CGAL/Volume_mesh_parameterization/internal/point_between.h>
 
 #include <CGAL/squared_distance_3.h>
 
@@ -28,7 +29,7 @@ namespace Volume_mesh_parameterization {
 namespace internal {
 
 /*
-A triangulated surface with border whose edges can be bisected. Half-edge 3 t + i runs from corner i of triangle t to
+A triangulated surface with border whose edges can be split. Half-edge 3 t + i runs from corner i of triangle t to
 corner i + 1 and has t on its left. Each triangle knows the facet of the mesh that it is a part of, and the
 barycentric coordinates of its corners there: by bisection alone these are dyadic, so exact as doubles.
 
@@ -101,6 +102,14 @@ public:
     return sum;
   }
 
+  // 0 for a flat triangle
+  Double_kernel::Vector_3 unit_normal(Id triangle) const {
+    const Triangle& t = m_triangles[triangle];
+    const auto n = CGAL::cross_product(m_points[t[1]] - m_points[t[0]], m_points[t[2]] - m_points[t[0]]);
+    const double length = std::sqrt(n.squared_length());
+    return length > 0 ? n / length : Double_kernel::Vector_3(CGAL::NULL_VECTOR);
+  }
+
   // Calls visit(w) for each neighbor w of v, counterclockwise.
   template <typename Visitor>
   void for_each_neighbor(Id v, Visitor visit) const {
@@ -124,15 +133,17 @@ public:
     }
   }
 
-  // Bisects the edge of h and the one or two triangles at it.
-  Id bisect(Id h) {
+  Id bisect(Id h) { return split(h, .5); }
+
+  // Splits the edge of h at this part of the way from its source, and the one or two triangles at it.
+  Id split(Id h, double part) {
     const Id a = source(h), b = target(h), g = m_opposite[h];
-    const Id m = add_vertex(CGAL::midpoint(m_points[a], m_points[b]));
+    const Id m = add_vertex(point_between(m_points[a], m_points[b], part));
     m_on_cut[m] = m_is_cut[h];
-    const Id second_h = bisect_triangle(h, m);
+    const Id second_h = split_triangle(h, m, part);
     m_outgoing[m] = second_h;
     if (g == none) return m;
-    const Id second_g = bisect_triangle(g, m);
+    const Id second_g = split_triangle(g, m, 1 - part);
     pair(h, second_g);
     pair(second_h, g);
     return m;
@@ -187,12 +198,12 @@ private:
   }
 
   // (a, b, c) with h from a to b becomes (a, m, c), and (m, b, c) is added; returns the half-edge from m to b.
-  Id bisect_triangle(Id h, Id m) {
+  Id split_triangle(Id h, Id m, double part) {
     const Id t = h / 3, i = h % 3, j = (i + 1) % 3, added = Id(m_triangles.size());
     const Id old_next = 3 * t + j, new_h = 3 * added + i, new_next = 3 * added + j;
     Triangle vertices = m_triangles[t];
     Corner_weights weights = m_weights[t];
-    const Weights middle = midpoint(weights[i], weights[j]);
+    const Weights middle = between(weights[i], weights[j], part);
     vertices[i] = m;
     weights[i] = middle;
     add_triangle(vertices, m_parents[t], weights);
@@ -206,8 +217,10 @@ private:
     return new_h;
   }
 
-  static Weights midpoint(const Weights& a, const Weights& b) {
-    return {(a[0] + b[0]) / 2, (a[1] + b[1]) / 2, (a[2] + b[2]) / 2};
+  static Weights between(const Weights& a, const Weights& b, double part) {
+    Weights result;
+    for (int i = 0; i < 3; ++i) result[i] = part == .5 ? (a[i] + b[i]) / 2 : a[i] + part * (b[i] - a[i]);
+    return result;
   }
 
   std::vector<Point_3> m_points;

@@ -11,6 +11,7 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/Compact_tetrahedral_mesh_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/point_between.h>
 
 #include <CGAL/Kernel_traits.h>
 #include <CGAL/enum.h>
@@ -41,7 +42,7 @@ Point barycentre(const std::vector<Point>& points, const Simplex& simplex) {
 }
 
 /*
-A tetrahedral mesh that can be refined by inserting the barycentre of an edge, a facet or a cell. Each facet of each
+A tetrahedral mesh that can be refined by splitting edges, facets and cells. Each facet of each
 cell carries its label, so that labels need no search. Cells around a vertex are kept as lists.
 */
 template <typename GeomTraits>
@@ -53,7 +54,9 @@ public:
   using Cell_labels = typename Mesh::Cell_labels;
 
   explicit Splittable_mesh(const Mesh& mesh)
-      : m_points(mesh.points()), m_split_simplices(mesh.split_simplices()), m_stars(mesh.number_of_vertices()) {
+      : m_points(mesh.points()),
+        m_split_simplices(mesh.split_simplices()),
+        m_stars(mesh.number_of_vertices()) {
     for (Cell_index c : mesh.cells()) {
       m_cells.push_back(mesh.cell(c));
       m_labels.push_back({mesh.label(c, 0), mesh.label(c, 1), mesh.label(c, 2), mesh.label(c, 3)});
@@ -77,26 +80,42 @@ public:
   */
   template <typename OnChild>
   Status insert_barycentre(const std::vector<Vertex_index>& simplex, OnChild on_child) {
-    const std::vector<Cell_index> star = cells_around(simplex);
-    const Point_3 barycentre = internal::barycentre(m_points, simplex);
-    for (Cell_index c : star)
-      for (Vertex_index v : simplex)
-        if (!is_positive_with(c, v, barycentre))
-          return {ERROR_CANNOT_SPLIT, "tetrahedron " + std::to_string(c) + " at vertex " + std::to_string(v)};
-    const Vertex_index m(m_points.size());
-    m_points.push_back(barycentre);
+    const Status status = insert(simplex, internal::barycentre(m_points, simplex), on_child);
+    if (!status.ok()) return status;
     m_split_simplices.emplace_back();
     std::copy(simplex.begin(), simplex.end(), m_split_simplices.back().begin());
-    m_stars.emplace_back();
-    for (Cell_index c : star) split(c, simplex, m, on_child);
-    return {};
+    return status;
   }
 
   Status insert_barycentre(const std::vector<Vertex_index>& simplex) {
     return insert_barycentre(simplex, [](Cell_index, Cell_index, Vertex_index) {});
   }
 
+  // Splits an edge at this part of the way, or in the middle if some child would not be positive otherwise. From then on all
+  // points count as given.
+  Status split_edge(Vertex_index v, Vertex_index w, double part) {
+    const auto no_one_cares = [](Cell_index, Cell_index, Vertex_index) {};
+    Status status = insert({v, w}, point_between(m_points[v], m_points[w], part), no_one_cares);
+    if (!status.ok()) status = insert({v, w}, point_between(m_points[v], m_points[w], .5), no_one_cares);
+    m_split_simplices.clear();
+    return status;
+  }
+
 private:
+  template <typename OnChild>
+  Status insert(const std::vector<Vertex_index>& simplex, const Point_3& point, OnChild& on_child) {
+    const std::vector<Cell_index> star = cells_around(simplex);
+    for (Cell_index c : star)
+      for (Vertex_index v : simplex)
+        if (!is_positive_with(c, v, point))
+          return {ERROR_CANNOT_SPLIT, "tetrahedron " + std::to_string(c) + " at vertex " + std::to_string(v)};
+    const Vertex_index m(m_points.size());
+    m_points.push_back(point);
+    m_stars.emplace_back();
+    for (Cell_index c : star) split(c, simplex, m, on_child);
+    return {};
+  }
+
   static int slot(const Cell_vertices& cell, Vertex_index v) {
     return int(std::find(cell.begin(), cell.end(), v) - cell.begin());
   }
@@ -104,13 +123,16 @@ private:
   std::vector<Cell_index> cells_around(const std::vector<Vertex_index>& simplex) const {
     std::vector<Cell_index> result;
     for (Cell_index c : m_stars[simplex[0]])
-      if (std::all_of(simplex.begin(), simplex.end(), [&](Vertex_index v) { return slot(m_cells[c], v) < 4; }))
+      if (std::all_of(simplex.begin(), simplex.end(),
+                      [&](Vertex_index v) { return slot(m_cells[c], v) < 4; }))
         result.push_back(c);
     return result;
   }
 
   bool is_positive_with(Cell_index c, Vertex_index moved, const Point_3& p) const {
-    const auto at = [&](int i) -> const Point_3& { return m_cells[c][i] == moved ? p : m_points[m_cells[c][i]]; };
+    const auto at = [&](int i) -> const Point_3& {
+      return m_cells[c][i] == moved ? p : m_points[m_cells[c][i]];
+    };
     return typename GeomTraits::Orientation_3()(at(0), at(1), at(2), at(3)) == POSITIVE;
   }
 
@@ -128,7 +150,8 @@ private:
       m_cells[child] = vertices;
       m_labels[child] = labels;
       for (Vertex_index u : simplex)
-        if (u != simplex[k]) m_labels[child][slot(vertices, u)] = INTERIOR; // the facet shared with the child of u
+        if (u != simplex[k])
+          m_labels[child][slot(vertices, u)] = INTERIOR; // the facet shared with the child of u
       m_cells[child][slot(vertices, simplex[k])] = m;
       for (Vertex_index v : m_cells[child]) m_stars[v].push_back(child);
       on_child(parent, child, simplex[k]);

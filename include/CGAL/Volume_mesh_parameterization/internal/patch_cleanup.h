@@ -10,7 +10,10 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
+#include <CGAL/Volume_mesh_parameterization/Boundary_partition_3.h>
+#include <CGAL/Volume_mesh_parameterization/Error_code.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Approximate_surface.h>
+#include <CGAL/Volume_mesh_parameterization/validate_partition.h>
 
 #include <algorithm>
 #include <array>
@@ -75,17 +78,24 @@ inline void remove_islands(const Approximate_surface& surface, std::vector<int>&
   });
 }
 
-// Small parts of floor or ceiling that lie apart go to the walls, and walls that meet one base only, or none, go to it.
-// All walls are labelled FIRST_WALL here.
-inline void remove_fragments(const Approximate_surface& surface, std::vector<int>& labels, double share) {
-  relabel_parts(surface, labels, [&](const Labelled_parts& parts, std::size_t p) {
-    const int label = parts.labels[p];
-    const bool is_apart = label < FIRST_WALL && p != parts.largest[label];
-    if (is_apart && parts.areas[p] < share * surface.total_area) return int(FIRST_WALL);
-    if (label == FIRST_WALL && parts.meets[p][FLOOR] != parts.meets[p][CEILING])
-      return parts.meets[p][FLOOR] ? int(FLOOR) : int(CEILING);
-    return label;
-  });
+// What becomes of a bore with a step that faces a base: it is part of the wall, or the bore is base down to the step.
+enum Cleaning_order { APART_BASES_FIRST, POCKETS_FIRST };
+
+// Small parts of floor or ceiling that lie apart go to the walls, and walls that meet one base only go to it: one as long as
+// something changes, then the other. All walls are labelled FIRST_WALL here.
+inline void remove_fragments(const Approximate_surface& surface, std::vector<int>& labels, double share,
+                             Cleaning_order order) {
+  const auto to_walls = [&](const Labelled_parts& parts, std::size_t p) {
+    const bool is_apart = parts.labels[p] < FIRST_WALL && p != parts.largest[parts.labels[p]];
+    return is_apart && parts.areas[p] < share * surface.total_area ? int(FIRST_WALL) : parts.labels[p];
+  };
+  const auto to_bases = [](const Labelled_parts& parts, std::size_t p) {
+    const bool is_pocket = parts.labels[p] == FIRST_WALL && parts.meets[p][FLOOR] != parts.meets[p][CEILING];
+    return !is_pocket ? parts.labels[p] : parts.meets[p][FLOOR] ? int(FLOOR) : int(CEILING);
+  };
+  if (order == POCKETS_FIRST) relabel_parts(surface, labels, to_bases);
+  relabel_parts(surface, labels, to_walls);
+  relabel_parts(surface, labels, to_bases);
 }
 
 // Numbers the parts labelled FIRST_WALL from the largest to the smallest.
@@ -100,8 +110,21 @@ inline void number_walls(const Approximate_surface& surface, std::vector<int>& l
   for (Facet_index f : surface.adjacency.facets()) labels[f] = label_of[parts.part_of[f]];
 }
 
-} // namespace internal
+// Whether floor, ceiling and walls are those of a product, as far as counting can tell.
+inline Status validate_labels(const Approximate_surface& surface, const std::vector<int>& labels) {
+  const Boundary_partition_3 summary = summarize(surface.adjacency, labels, surface.areas);
+  return Partition_validator(surface.adjacency, labels, summary).validate();
+}
 
+// From labels where all walls are FIRST_WALL to legal ones, without fragments of less than `share`.
+inline Status clean_patches(const Approximate_surface& surface, std::vector<int>& labels, double share,
+                            Cleaning_order order = APART_BASES_FIRST) {
+  remove_fragments(surface, labels, share, order);
+  number_walls(surface, labels);
+  return validate_labels(surface, labels);
+}
+
+} // namespace internal
 } // namespace Volume_mesh_parameterization
 } // namespace CGAL
 

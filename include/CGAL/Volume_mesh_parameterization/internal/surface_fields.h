@@ -31,10 +31,15 @@ namespace internal {
 using Vertex_field = Eigen::VectorXd; // one value for each vertex, 0 off the surface
 
 // One implicit step of heat flow on a surface, (M + time L) x = M b: an average over distances up to sqrt(time).
-// Cotangents below 0 count as 0, so that averages stay within the range of b.
+// Cotangents below 0 count as 0, so that averages stay within the range of b. Vertices may be given more weight than their
+// part of the area.
 class Surface_diffusion {
 public:
-  Surface_diffusion(const Approximate_surface& surface, double time) : m_mass(lumped_mass(surface)) {
+  Surface_diffusion(const Approximate_surface& surface, double time)
+      : Surface_diffusion(surface, time, Vertex_field::Zero(Eigen::Index(surface.points.size()))) {}
+
+  Surface_diffusion(const Approximate_surface& surface, double time, const Vertex_field& more_mass)
+      : m_mass(lumped_mass(surface) + more_mass) {
     using Triplet = Eigen::Triplet<double>;
     std::vector<Triplet> entries;
     for (Eigen::Index v = 0; v < m_mass.size(); ++v)
@@ -90,14 +95,6 @@ inline std::array<Vertex_field, 3> integrated_normals(const Approximate_surface&
     for (Vertex_index v : surface.adjacency.triangle(f))
       for (int k = 0; k < 3; ++k) normals[k][v] += n[k];
   }
-  return normals;
-}
-
-// Normals averaged over this share of the surface's area, by coordinate; their length tells how much they agree.
-inline std::array<Vertex_field, 3> averaged_normals(const Approximate_surface& surface, double share) {
-  const Surface_diffusion diffusion(surface, share * surface.total_area);
-  std::array<Vertex_field, 3> normals = integrated_normals(surface);
-  for (Vertex_field& coordinate : normals) coordinate = diffusion.average_of_integral(coordinate);
   return normals;
 }
 

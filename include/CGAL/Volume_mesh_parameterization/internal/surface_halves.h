@@ -166,18 +166,10 @@ private:
     for (std::size_t i = 1; i < loop.size(); ++i) {
       const Id h = closed.half_edge(loop[i - 1], loop[i]);
       const Vector_3 edge = closed.points()[loop[i]] - closed.points()[loop[i - 1]];
-      const Vector_3 normal = unit_normal(closed, h / 3) + unit_normal(closed, closed.opposite(h) / 3);
+      const Vector_3 normal = closed.unit_normal(h / 3) + closed.unit_normal(closed.opposite(h) / 3);
       ascent += CGAL::cross_product(normal, edge) * m_direction;
     }
     return ascent;
-  }
-
-  static Vector_3 unit_normal(const Refined_surface& surface, Id triangle) {
-    const auto& t = surface.triangles()[triangle];
-    const auto& p = surface.points();
-    const Vector_3 n = CGAL::cross_product(p[t[1]] - p[t[0]], p[t[2]] - p[t[0]]);
-    const double length = std::sqrt(n.squared_length());
-    return length > 0 ? n / length : Vector_3(CGAL::NULL_VECTOR);
   }
 
   double length(Id v, Id w, Half half) const {

@@ -3,18 +3,18 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
 #include <CGAL/Volume_mesh_parameterization/check_tetrahedral_mesh.h>
-#include <CGAL/Volume_mesh_parameterization/partition_by_loops.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Partition_maker.h>
+#include <CGAL/Volume_mesh_parameterization/partition_boundary.h>
 #include <CGAL/Volume_mesh_parameterization/sweep_with_repairs.h>
 #include <CGAL/Volume_mesh_parameterization/validate_partition.h>
 #include <CGAL/Volume_mesh_parameterization/verify_product.h>
 
+#include "io_test_util.h"
 #include "solid_test_util.h"
 
 #include <cassert>
 #include <cmath>
 #include <cstdlib>
-#include <iostream>
-#include <string>
 
 namespace VMP = CGAL::Volume_mesh_parameterization;
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
@@ -23,12 +23,6 @@ using Mesh = VMP::Compact_tetrahedral_mesh_3<Kernel>;
 using Soup = VMP::Tetrahedron_soup_3<Point>;
 using Direction = VMP::Sweep_direction_3;
 
-void expect(const VMP::Status& status, VMP::Error_code code, const std::string& part_of_detail = "") {
-  if (status.code() != code) std::cerr << status.message() << std::endl;
-  assert(status.code() == code);
-  assert(status.detail().find(part_of_detail) != std::string::npos);
-}
-
 Mesh unlabelled(Soup soup) {
   soup.facets.clear();
   Mesh mesh;
@@ -36,19 +30,31 @@ Mesh unlabelled(Soup soup) {
   return mesh;
 }
 
+// Only by loops, for walls as wide as by default.
+template <typename Mesh>
+VMP::Status label_by_loops(Mesh& mesh, const Direction& direction) {
+  VMP::Handlebody_certificate certificate;
+  expect(VMP::certify_handlebody(mesh, certificate), VMP::OK);
+  const VMP::Partition_options options;
+  const VMP::internal::Labelled_surface given(mesh);
+  const std::vector<int> no_picks(mesh.number_of_boundary_facets(), VMP::INTERIOR);
+  VMP::internal::Partition_maker maker(given, certificate, no_picks, options.wall_width,
+                                       options.island_share);
+  VMP::internal::Labelled_surface labelled;
+  const VMP::Status status = maker.by_loops(direction / VMP::internal::length(direction), labelled);
+  return status.ok() ? labelled.write_to(mesh) : status;
+}
+
 // The partition is legal, hence the solid is a product, and the sweep finds that out.
 void test_partition(const Mesh& mesh, const Direction& direction) {
   expect(VMP::check_tetrahedral_mesh(mesh), VMP::OK);
   Mesh labelled = mesh;
-  Direction taken;
-  expect(VMP::partition_by_loops(labelled, {direction}, &taken), VMP::OK);
-  assert(taken == direction);
+  expect(label_by_loops(labelled, direction), VMP::OK);
   for (VMP::Vertex_index v : mesh.vertices()) assert(labelled.point(v) == mesh.point(v));
+  expect(VMP::check_tetrahedral_mesh(labelled), VMP::OK);
   VMP::Boundary_partition_3 summary;
   VMP::Handlebody_certificate certificate;
-  expect(VMP::validate_partition(labelled, summary), VMP::OK);
-  expect(VMP::certify_handlebody(labelled, certificate), VMP::OK);
-  expect(VMP::validate_fundamental_group(labelled, certificate), VMP::OK);
+  expect(VMP::validate_solid(labelled, summary, certificate), VMP::OK);
   VMP::Preparation counts;
   VMP::Product_structure_3<Kernel> structure;
   VMP::Sweep_report report;
@@ -76,42 +82,8 @@ void test_coarse() {
       test_partition(unlabelled(Block_with_holes<Point>(holes, 1, 1).soup()), d);
 }
 
-// A closed tube along a trefoil: the cross-sections are hexagons, the cells between two of them prisms.
-Soup trefoil_tube(int sections) {
-  const double torus_radius = 3, knot_radius = 1.2, tube_radius = .5;
-  Soup soup;
-  const auto on_torus = [&](double t, double radius) {
-    const double distance = torus_radius + radius * std::cos(3 * t);
-    return Kernel::Vector_3(distance * std::cos(2 * t), distance * std::sin(2 * t), radius * std::sin(3 * t));
-  };
-  for (int s = 0; s < sections; ++s) {
-    const double t = 2 * CGAL_PI * s / sections, small = 1e-4;
-    const Kernel::Vector_3 center = on_torus(t, knot_radius), normal = on_torus(t, knot_radius + 1) - center;
-    const Kernel::Vector_3 along = on_torus(t + small, knot_radius) - on_torus(t - small, knot_radius);
-    const Kernel::Vector_3 side = CGAL::cross_product(along, normal) / std::sqrt(along.squared_length());
-    soup.points.push_back(CGAL::ORIGIN + center);
-    for (int k = 0; k < 6; ++k)
-      soup.points.push_back(CGAL::ORIGIN + center + tube_radius * std::cos(k * CGAL_PI / 3) * normal +
-                            tube_radius * std::sin(k * CGAL_PI / 3) * side);
-  }
-  for (int s = 0; s < sections; ++s)
-    for (int k = 0; k < 6; ++k) {
-      std::array<std::size_t, 3> low = {0, 1 + std::size_t(k), 1 + std::size_t(k + 1) % 6}, a, b;
-      std::sort(low.begin(), low.end());
-      for (int i = 0; i < 3; ++i) a[i] = 7 * s + low[i], b[i] = 7 * ((s + 1) % sections) + low[i];
-      soup.cells.push_back({a[0], a[1], a[2], b[2]});
-      soup.cells.push_back({a[0], a[1], b[1], b[2]});
-      soup.cells.push_back({a[0], b[0], b[1], b[2]});
-    }
-  for (auto& c : soup.cells)
-    if (CGAL::orientation(soup.points[c[0]], soup.points[c[1]], soup.points[c[2]], soup.points[c[3]]) ==
-        CGAL::NEGATIVE)
-      std::swap(c[0], c[1]);
-  return soup;
-}
-
 void test_knot() {
-  const Mesh mesh = unlabelled(trefoil_tube(150));
+  const Mesh mesh = unlabelled(trefoil_tube<Point>(150));
   for (const Direction& d : {Direction(0, 0, 1), Direction(1, 0, 0), Direction(1, 2, -1)})
     test_partition(mesh, d);
 }
@@ -119,7 +91,7 @@ void test_knot() {
 // Floor and ceiling are broad, and lie where the direction says.
 void test_shape() {
   Mesh mesh = unlabelled(shaped_block<Point>(Shape::PLAIN, 2, 3, 3));
-  expect(VMP::partition_by_loops(mesh, {Direction(0, 0, 1)}), VMP::OK);
+  expect(label_by_loops(mesh, Direction(0, 0, 1)), VMP::OK);
   const VMP::Boundary_partition_3 summary = VMP::summarize_partition(mesh);
   double area = 0;
   for (const VMP::Boundary_patch_3& patch : summary.patches) area += patch.area;
@@ -137,9 +109,10 @@ void test_exact_kernel() {
   using Exact = CGAL::Exact_predicates_exact_constructions_kernel;
   VMP::Compact_tetrahedral_mesh_3<Exact> mesh;
   expect(mesh.assign(shaped_block<Exact::Point_3>(Shape::PLAIN, 1, 1, 1)), VMP::OK);
-  expect(VMP::partition_by_loops(mesh, {Direction(0, 1, 1)}), VMP::OK);
+  expect(label_by_loops(mesh, Direction(0, 1, 1)), VMP::OK);
   VMP::Boundary_partition_3 summary;
-  expect(VMP::validate_partition(mesh, summary), VMP::OK);
+  VMP::Handlebody_certificate certificate;
+  expect(VMP::validate_solid(mesh, summary, certificate), VMP::OK);
 }
 
 void test_quotient() {
@@ -200,19 +173,21 @@ Mesh two_tetrahedra_at_an_edge() {
   return mesh;
 }
 
+// The search starts with a certificate, which loops need.
 void test_errors() {
-  Mesh mesh = unlabelled(Block_with_holes<Point>(1, 1, 1).soup());
-  expect(VMP::partition_by_loops(mesh, {}), VMP::ERROR_NO_PARTITION, "no directions");
-  expect(VMP::partition_by_loops(mesh, {CGAL::NULL_VECTOR}), VMP::ERROR_WRONG_PARAMETER);
-  for (const VMP::Labelled_facet& f : mesh.labelled_facets()) assert(f.label == VMP::INTERIOR);
-  const std::vector<Direction> up = {{0, 0, 1}};
-  Mesh empty;
-  expect(VMP::partition_by_loops(empty, up), VMP::ERROR_EMPTY_MESH);
-  Mesh cavity = block_with_cavity(), knotted = block_with_knotted_tunnel(),
-       pinched = two_tetrahedra_at_an_edge();
-  expect(VMP::partition_by_loops(cavity, up), VMP::ERROR_SEVERAL_COMPONENTS);
-  expect(VMP::partition_by_loops(knotted, up), VMP::ERROR_NOT_A_HANDLEBODY);
-  expect(VMP::partition_by_loops(pinched, up), VMP::ERROR_NON_MANIFOLD);
+  for (auto [mesh, code] : {std::pair(block_with_cavity(), VMP::ERROR_SEVERAL_COMPONENTS),
+                            std::pair(block_with_knotted_tunnel(), VMP::ERROR_NOT_A_HANDLEBODY),
+                            std::pair(two_tetrahedra_at_an_edge(), VMP::ERROR_NON_MANIFOLD)}) {
+    const std::size_t number_of_vertices = mesh.number_of_vertices();
+    expect(VMP::partition_boundary(mesh), code);
+    assert(mesh.number_of_vertices() == number_of_vertices);
+    for (const VMP::Labelled_facet& f : mesh.labelled_facets()) assert(f.label == VMP::INTERIOR);
+    VMP::Partition_options up;
+    up.directions = {{0, 0, 1}};
+    VMP::Partition_search_3<Kernel> search(mesh, up);
+    expect(search.run(VMP::Default_parameterization_visitor()), code);
+    assert(search.candidates().empty() && search.number_of_trials() == 0);
+  }
 }
 
 int main() {
