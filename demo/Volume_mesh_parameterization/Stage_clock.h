@@ -1,6 +1,8 @@
 #ifndef HANDLEBODY_STAGE_CLOCK_H
 #define HANDLEBODY_STAGE_CLOCK_H
 
+#include "interrupt.h"
+
 #include <CGAL/Memory_sizer.h>
 
 #include <ctime>
@@ -48,18 +50,26 @@ private:
   std::vector<Stage> m_stages;
 };
 
-// Passes the stages of the library on to the clock.
-struct Clock_visitor {
-  Stage_clock* clock;
-  std::string prefix; // of the names
+// Passes the stages of the library on to the clock, and Ctrl-C to the library.
+class Clock_visitor {
+public:
+  // `prefix` is that of the names of stages.
+  explicit Clock_visitor(Stage_clock& clock, std::string prefix = {}) : m_clock(&clock), m_prefix(std::move(prefix)) {
+    Interrupt::watch();
+  }
+
   bool start_stage(const char* name) {
-    clock->start(prefix + name);
-    return true;
+    m_clock->start(m_prefix + name);
+    return !Interrupt::is_requested();
   }
   bool advance(std::size_t done, std::size_t all) {
-    clock->advance(done, all);
-    return true;
+    m_clock->advance(done, all);
+    return !Interrupt::is_requested();
   }
+
+private:
+  Stage_clock* m_clock;
+  std::string m_prefix;
 };
 
 #endif // HANDLEBODY_STAGE_CLOCK_H

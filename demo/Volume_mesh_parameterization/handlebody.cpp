@@ -48,7 +48,8 @@ void add_partition(CLI::App& command, Partition_command& options) {
   const std::map<std::string, VMP::Given_labels> uses = {
       {"ignore", VMP::IGNORE_LABELS}, {"keep", VMP::KEEP_LABELS}, {"mend", VMP::MEND_LABELS}};
   command.add_option("--labels", options.given_labels, "what labels in INPUT are for: nothing (default), facets to keep them, or a partition to mend")
-      ->transform(CLI::CheckedTransformer(uses).description("{ignore,keep,mend}"));
+      ->transform(CLI::CheckedTransformer(uses).description("{ignore,keep,mend}"))
+      ->excludes("--floor", "--ceiling", "--wall");
   command.add_option("--candidates", options.number_of_candidates, "how many partitions to compare")
       ->check(CLI::Range(1, 100).description("1 to 100"))
       ->capture_default_str();

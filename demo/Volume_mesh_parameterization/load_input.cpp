@@ -58,7 +58,7 @@ Status load_surface(const Input_options& options, Stage_clock& clock, Input& inp
   if (!status.ok()) return status;
   clock.start("partition and tetrahedralize");
   return VMP::partition_and_tetrahedralize(surface, partition_options(options), options.number_of_tetrahedra, input.mesh,
-                                           &input.chosen.emplace(), Clock_visitor{&clock, ""});
+                                           &input.chosen.emplace(), Clock_visitor(clock));
 }
 
 Status load_tetrahedra(const Input_options& options, Stage_clock& clock, Input& input) {
@@ -70,7 +70,7 @@ Status load_tetrahedra(const Input_options& options, Stage_clock& clock, Input& 
   input.has_labels = !is_auto && std::any_of(labels.begin(), labels.end(), [](const auto& f) { return f.label != 0; });
   if (options.partition == "labels" || input.has_labels) return {};
   clock.start("partition");
-  return VMP::partition_boundary(input.mesh, partition_options(options), &input.chosen.emplace(), Clock_visitor{&clock, ""});
+  return VMP::partition_boundary(input.mesh, partition_options(options), &input.chosen.emplace(), Clock_visitor(clock));
 }
 
 } // namespace

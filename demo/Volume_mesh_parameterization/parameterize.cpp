@@ -50,7 +50,7 @@ Status load_domain(const Parameterize_options& options, Stage_clock& clock, Poly
   domain_options.number_of_tetrahedra = options.input.number_of_tetrahedra;
   Input domain;
   Status status = load_input(domain_options, clock, domain);
-  if (status.ok()) status = polycube.build(domain.mesh, CGAL::parameters::visitor(Clock_visitor{&clock, "domain: "}));
+  if (status.ok()) status = polycube.build(domain.mesh, CGAL::parameters::visitor(Clock_visitor(clock, "domain: ")));
   return status.ok() ? about(options.boundary_map, read_points(options.boundary_map, images)) : about(options.domain, status);
 }
 
@@ -107,7 +107,7 @@ private:
     const auto type = m_options.field == Field::FLUX ? VMP::FLUX_CURVES : VMP::CERTIFIED_CURVES;
     m_parameterizer.emplace(floor_map);
     const Status status =
-        m_parameterizer->template run<CGAL::Parallel_if_available_tag>(input.mesh, VMP::parameters::curve_type(type).visitor(Clock_visitor{&m_clock, ""}));
+        m_parameterizer->template run<CGAL::Parallel_if_available_tag>(input.mesh, VMP::parameters::curve_type(type).visitor(Clock_visitor(m_clock)));
     m_clock.finish();
     m_report["input"]["tetrahedra"] = input.mesh.number_of_cells();
     return status;

@@ -7,9 +7,12 @@
 #include <CGAL/Volume_mesh_parameterization/Partition_search_3.h>
 #include <CGAL/Volume_mesh_parameterization/tetrahedralize.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <iostream>
+#include <string>
+#include <system_error>
 
 using VMP::Status;
 using Surface = VMP::Triangle_soup_3<Point_3>;
@@ -28,7 +31,7 @@ public:
     if (!status.ok()) return status;
     m_clock.start("partition");
     Search search(m_solid, search_options());
-    status = search.run(Clock_visitor{&m_clock, ""});
+    status = search.run(Clock_visitor(m_clock));
     m_clock.finish();
     if (!status.ok()) return status;
     if (!m_options.quiet) list(search);
@@ -99,5 +102,5 @@ int partition(const Partition_command& options) {
   const Status status = Partition_run(options).run();
   if (status.ok()) return EVERYTHING_CERTIFIED;
   std::cerr << "handlebody: " << options.input.file << ": " << status.message() << std::endl;
-  return status.code() == VMP::ERROR_CANCELLED ? NOT_CERTIFIED : INPUT_REFUSED;
+  return status.code() == VMP::ERROR_CANCELLED || status.code() == VMP::ERROR_CANNOT_SPLIT ? NOT_CERTIFIED : INPUT_REFUSED;
 }

@@ -2,6 +2,8 @@
 
 #include <CGAL/Volume_mesh_parameterization/Boundary_partition_3.h>
 
+#include <CGAL/squared_distance_3.h>
+
 #include <cmath>
 #include <limits>
 #include <sstream>

@@ -58,6 +58,7 @@ Json report_candidate(const VMP::Partition_candidate_3& candidate) {
           {"wall_gap", q.wall_gap},
           {"mean_width", q.mean_width},
           {"alignment", q.alignment},
+          {"flat_walls", q.flat_walls},
           {"gradient_spread", q.gradient_spread},
           {"length_spread", q.length_spread},
           {"critical_points_of_trial", q.number_of_critical_points}};

@@ -32,8 +32,8 @@
 #include <CGAL/Volume_mesh_parameterization/Harmonic_function_3.h>
 #include <CGAL/Volume_mesh_parameterization/Hexahedron_soup_3.h>
 #include <CGAL/Volume_mesh_parameterization/Integral_curve_3.h>
-#include <CGAL/Volume_mesh_parameterization/Polycube_3.h>
 #include <CGAL/Volume_mesh_parameterization/Partition_search_3.h>
+#include <CGAL/Volume_mesh_parameterization/Polycube_3.h>
 #include <CGAL/Volume_mesh_parameterization/Prism_3.h>
 #include <CGAL/Volume_mesh_parameterization/Product_map_3.h>
 #include <CGAL/Volume_mesh_parameterization/Product_structure_3.h>

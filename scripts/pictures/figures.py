@@ -6,7 +6,7 @@ from vtk.util.numpy_support import vtk_to_numpy
 
 from .convert import add_array, add_cell_colors, cells_of, make_grid, make_polylines, make_surface, run, uniform_cells
 from .result_folder import Missing
-from .scene import (HEIGHT_COLORS, QUALITY_COLORS, CutView, Picture, View, color_map, diagonal, interpolate_colors,
+from .scene import (HEIGHT_COLORS, QUALITY_COLORS, WIDTH, CutView, Picture, View, color_map, diagonal, interpolate_colors,
                     label_name_and_color, main_view, make_actor, make_shell, principal_axes, two_panels)
 
 LEVELS = np.arange(1, 12) / 12
@@ -25,13 +25,17 @@ def draw_labels(result):
 
 
 def draw_partitions(meshes):
-    """side by side, each from both sides"""
-    picture = Picture(columns=len(meshes), rows=2)
-    views = [main_view(mesh.points) for mesh in meshes]
-    for side in (lambda view: view, View.opposite):
-        for mesh, view in zip(meshes, views):
-            picture.add_panel(side(view), [make_labelled_boundary(mesh, edges=False)])
-    picture.add_titles([mesh.name for mesh in meshes])
+    """side by side, each from both sides; several rows of three if that fits"""
+    columns = 3 if len(meshes) % 3 == 0 else len(meshes)
+    rows = 2 * len(meshes) // columns
+    picture = Picture(columns, rows, height=round(0.7 * rows / columns * WIDTH))
+    for k in range(0, len(meshes), columns):
+        group = meshes[k:k + columns]
+        for mesh in group:
+            picture.add_panel(main_view(mesh.points), [make_labelled_boundary(mesh, edges=False)])
+            picture.add_title(mesh.name)
+        for mesh in group:
+            picture.add_panel(main_view(mesh.points).opposite(), [make_labelled_boundary(mesh, edges=False)])
     return picture
 
 

@@ -130,11 +130,11 @@ def ordered_pass():
 class Picture:
     """one image of one or several panels, filled row by row"""
 
-    def __init__(self, columns=1, rows=1):
-        self.columns, self.rows, self.renderers = columns, rows, []
+    def __init__(self, columns=1, rows=1, height=HEIGHT):
+        self.columns, self.rows, self.height, self.renderers = columns, rows, height, []
         self.window = vtk.vtkRenderWindow()
         self.window.SetOffScreenRendering(True)
-        self.window.SetSize(SUPERSAMPLING * WIDTH, SUPERSAMPLING * HEIGHT)
+        self.window.SetSize(SUPERSAMPLING * WIDTH, SUPERSAMPLING * height)
         self.window.SetMultiSamples(0)
         self.window.SetAlphaBitPlanes(True)
 
@@ -153,7 +153,7 @@ class Picture:
             renderer.AddViewProp(actor)
         for light in make_lights():
             renderer.AddLight(light)
-        view.aim(renderer.GetActiveCamera(), WIDTH / self.columns / (HEIGHT / self.rows))
+        view.aim(renderer.GetActiveCamera(), WIDTH / self.columns / (self.height / self.rows))
         renderer.ResetCameraClippingRange()
         self.window.AddRenderer(renderer)
         self.renderers.append(renderer)
@@ -169,17 +169,16 @@ class Picture:
             label.SetPosition(14 * SUPERSAMPLING, (12 + 1.35 * size * i) * SUPERSAMPLING)
             self.renderers[-1].AddViewProp(label)
 
-    def add_titles(self, titles):
-        """at the top of the first panels"""
-        for title, renderer in zip(titles, self.renderers):
-            label = vtk.vtkTextActor()
-            label.SetInput(title)
-            label.GetTextProperty().SetColor(0, 0, 0)
-            label.GetTextProperty().SetFontSize(18 * SUPERSAMPLING)
-            label.GetTextProperty().SetJustificationToCentered()
-            label.GetPositionCoordinate().SetCoordinateSystemToNormalizedViewport()
-            label.SetPosition(0.5, 0.94)
-            renderer.AddViewProp(label)
+    def add_title(self, title):
+        """at the top of the last panel"""
+        label = vtk.vtkTextActor()
+        label.SetInput(title)
+        label.GetTextProperty().SetColor(0, 0, 0)
+        label.GetTextProperty().SetFontSize(17 * SUPERSAMPLING)
+        label.GetTextProperty().SetJustificationToCentered()
+        label.GetPositionCoordinate().SetCoordinateSystemToNormalizedViewport()
+        label.SetPosition(0.5, 0.92)
+        self.renderers[-1].AddViewProp(label)
 
     def add_scalar_bar(self, colors, title):
         """at the right of the last panel, whose contents make room"""

@@ -152,8 +152,8 @@ CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3<Point> trefoil_tube(int s
 
 // The guide that the parameterizer uses: the dual potential and the signs of the flux.
 template <typename Mesh>
-CGAL::Volume_mesh_parameterization::Status
-flux_guide(const Mesh& mesh, CGAL::Volume_mesh_parameterization::Sweep_guide_3& guide) {
+CGAL::Volume_mesh_parameterization::Status flux_guide(const Mesh& mesh,
+                                                      CGAL::Volume_mesh_parameterization::Sweep_guide_3& guide) {
   using namespace CGAL::Volume_mesh_parameterization;
   Dual_potential_3<Mesh> potential(mesh);
   Flux_field_3<Mesh> flux(mesh);

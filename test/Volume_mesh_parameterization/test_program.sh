@@ -265,6 +265,45 @@ test_threads() {
   diff -r one two >errors || fail "two threads give another result than one"
 }
 
+test_partition() {
+  run 2 partition block.mesh
+  run 2 partition block.mesh -o labelled.mesh --floor 1,2
+  run 2 partition block.mesh -o labelled.mesh --wall 1,2,3
+  run 2 partition block.mesh -o labelled.mesh --candidates 0
+  run 2 partition block.mesh -o labelled.mesh --labels guess
+  run 1 partition block.mesh -o block.mesh
+  says_why block.mesh 'it is the input'
+  run 1 partition block.mesh -o labelled.mesh --floor 17
+  says_why block.mesh 'by points'
+  run 1 partition block.mesh -o labelled.mesh --choose 99
+  says_why block.mesh 'there are only'
+  run 1 partition block.mesh -o labelled.mesh --wall 0:0,1.4,.5 --wall 0:1,1.4,.5
+  says_why block.mesh 'is to be wall 0'
+  [ ! -e labelled.mesh ] || fail "a refused partition leaves a file"
+
+  run 0 partition block.mesh -o labelled.mesh --direction 0,0,1 --floor .4,.5,0 --ceiling .4,.5,1 --wall 0:1,1.4,.5
+  grep -q 'legal of' output || fail "partition does not tell what it tried"
+  run 0 check labelled.mesh
+  grep -q 'wall 0: .* area 4,' output || fail "the picked wall is not wall 0"
+  run 0 parameterize labelled.mesh -o result --quiet
+
+  awk '/^Triangles/ { first = NR + 2 } NR == first { $4 = 2 } 1' block.mesh >island.mesh
+  run 1 check island.mesh
+  run 0 partition island.mesh -o labelled.mesh --labels mend --quiet
+  [ ! -s output ] || fail "partition is not quiet"
+  run 0 check labelled.mesh
+
+  cube >cube.off
+  if ! "$program" partition cube.off -o labelled.mesh --floor 0 --tets 100 >output 2>errors; then
+    run 1 partition cube.off -o labelled.mesh --floor 0
+    grep -q TetGen errors || fail "a cube is refused, but not for want of TetGen"
+    return
+  fi
+  run 0 check labelled.mesh
+  run 1 partition cube.off -o labelled.mesh --floor 12
+  says_why cube.off 'triangle 12 of 12'
+}
+
 test_broken_results() {
   cp result/order.txt order
   { tail -n 1 order && sed '1d;$d' order && head -n 1 order; } >result/order.txt
@@ -290,5 +329,6 @@ test_good_block
 test_given_domain
 test_pillow
 test_threads
+test_partition
 test_broken_results
 echo 'done'

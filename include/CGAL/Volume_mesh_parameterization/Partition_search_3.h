@@ -26,7 +26,6 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <numeric>
 #include <optional>
 #include <string>
 #include <utility>
@@ -39,7 +38,7 @@ namespace Volume_mesh_parameterization {
 /// tells what the labels of a solid that is to be partitioned mean.
 enum Given_labels {
   IGNORE_LABELS, ///< nothing
-  KEEP_LABELS,   ///< facets with labels keep them, the others are free
+  KEEP_LABELS,   ///< facets with labels keep them, split ones in their largest part; the others are free
   MEND_LABELS    ///< the partition is to be like the labels, which need not be legal
 };
 
@@ -49,12 +48,13 @@ enum Given_labels {
 steers the search for partitions.
 */
 struct Partition_options {
-  /// from the floor to the ceiling, of any length; if there are none, `propose_directions()`
+  /// from the floor to the ceiling, of any length; if there are none, that of the labels to be mended, or
+  /// `propose_directions()`
   std::vector<Sweep_direction_3> directions = {};
   Given_labels given_labels = IGNORE_LABELS;
-  /// the search ends with so many partitions, of which the best is taken
+  /// no further direction is tried as soon as there are so many partitions, of which the best is taken
   std::size_t number_of_candidates = 4;
-  /// the width of walls on smooth surfaces, as a share of the way from the floor to the ceiling
+  /// the width of walls on smooth surfaces, as a share of the way from the middle of the floor to that of the ceiling
   double wall_width = .5;
   /// parts of a patch that lie apart and have less than this share of the area are flipped
   double island_share = .15;
@@ -84,11 +84,11 @@ inline const char* method_name(Partition_method method) {
 describes a partition that was found.
 */
 struct Partition_candidate_3 {
-  Partition_method method;
+  Partition_method method = BY_CREASES;
   Sweep_direction_3 direction;
   Boundary_partition_3 partition;
   Partition_quality quality;
-  double cost; ///< of `quality`; the least is the best
+  double cost = 0; ///< of `quality`, infinite if the trial failed; the least is the best
 };
 
 /*!
@@ -98,8 +98,8 @@ searches partitions of the boundary of a solid. All that it finds are legal: the
 `validate_fundamental_group()`.
 
 Each direction is tried in several ways, see `Partition_method`. On smooth surfaces edges are split, so that rims are smooth
-and walls broad. Where no direction gives a partition, loops do. What is found gets measured, also by a trial: the harmonic
-function between floor and ceiling, on the given solid.
+and walls broad. Where directions give no partition, or a single one of many, loops are tried, too. What is found gets
+measured, also by a trial: the harmonic function between floor and ceiling, on the given solid.
 
 \tparam GeomTraits a model of `VolumeParameterizationTraits_3`
 */
@@ -119,11 +119,11 @@ public:
   Partition_search_3(const Partition_search_3&) = delete;
   Partition_search_3& operator=(const Partition_search_3&) = delete;
 
-  /// searches.
+  /// searches; may be called once.
   /// \param visitor is asked by its function `advance()` whether to go on
-  /// \returns `ERROR_WRONG_PARAMETER` for a direction or walls of no length or width, `ERROR_EMPTY_MESH`, `ERROR_OPEN_SURFACE`,
-  /// `ERROR_NON_MANIFOLD`, `ERROR_SEVERAL_COMPONENTS`, `ERROR_NOT_A_HANDLEBODY`, `ERROR_NO_PARTITION` with the reason for
-  /// the last direction, `ERROR_CANCELLED`
+  /// \returns `ERROR_WRONG_PARAMETER` for a direction or walls of no length or width, or if no partition is wanted,
+  /// `ERROR_EMPTY_MESH`, `ERROR_NON_MANIFOLD`, `ERROR_SEVERAL_COMPONENTS`, `ERROR_NOT_A_HANDLEBODY`, `ERROR_NO_PARTITION` with
+  /// the reason for the last direction, `ERROR_CANCELLED`
   template <typename Visitor>
   Status run(Visitor&& visitor) {
     Status status = check_options();
@@ -142,18 +142,20 @@ public:
   /// \name Result
   /// @{
 
-  /// returns what was found, the best first.
+  /// returns what was found, the best first; nothing if `run()` failed.
   const std::vector<Partition_candidate_3>& candidates() const { return m_candidates; }
   /// returns how many ways of making a partition were tried.
   std::size_t number_of_trials() const { return m_number_of_trials; }
 
-  /// labels the solid by the i-th candidate. `solid` is a copy of the one that was searched; splits are repeated in it:
-  /// the vertices that it had come first.
+  /// labels the solid by the i-th candidate. `solid` is the one that was searched, or a copy; splits are repeated in it: the
+  /// vertices that it had come first. On failure it is left as it was.
+  /// \pre `i < candidates().size()`
   /// \returns `ERROR_CANNOT_SPLIT`
   Status label(std::size_t i, Mesh& solid) const { return m_found[i].surface.write_to(solid); }
 
   /// labels the surface that the solid was made of by the i-th candidate. Its triangles are replaced by parts of them, its
   /// points come first.
+  /// \pre `i < candidates().size()`
   void label(std::size_t i, Triangle_soup_3<typename GeomTraits::Point_3>& surface) const {
     m_found[i].surface.write_to(surface);
   }
@@ -163,8 +165,7 @@ public:
 private:
   struct Found {
     internal::Labelled_surface surface;
-    Partition_method method;
-    Sweep_direction_3 direction;
+    Partition_candidate_3 candidate;
   };
 
   static constexpr std::size_t few = 2;       // partitions by other methods, that make loops worth trying
@@ -199,20 +200,37 @@ private:
   template <typename Make>
   Status try_one(Partition_method method, const Sweep_direction_3& direction, const Make& make) {
     ++m_number_of_trials;
-    Found found = {{}, method, direction};
-    const Status status = make(found.surface);
-    if (!status.ok())
-      m_last_refusal = status;
-    else if (!is_known(found))
-      m_found.push_back(std::move(found));
+    internal::Labelled_surface surface;
+    const Status status = make(surface);
+    // loops only care for a direction: what they say tells less
+    if (!status.ok() && (method != BY_LOOPS || m_last_refusal.ok())) m_last_refusal = status;
+    if (status.ok()) {
+      Partition_candidate_3 candidate = measure(surface, method, direction);
+      keep({std::move(surface), std::move(candidate)});
+    }
     return status;
   }
 
-  // Whether all but a small part of the facets have the same labels in a partition that was found before.
-  bool is_known(const Found& found) const {
-    return std::any_of(m_found.begin(), m_found.end(), [&](const Found& other) {
+  // Of partitions in which all but a small part of the facets have the same labels, the one of least cost.
+  void keep(Found found) {
+    const auto same = std::find_if(m_found.begin(), m_found.end(), [&](const Found& other) {
       return m_maker->share_of_common_labels(found.surface, other.surface) > share_of_same;
     });
+    if (same == m_found.end())
+      m_found.push_back(std::move(found));
+    else if (found.candidate.cost < same->candidate.cost)
+      *same = std::move(found);
+  }
+
+  // From the shape of the patches alone.
+  static Partition_candidate_3 measure(const internal::Labelled_surface& labelled, Partition_method method,
+                                       const Sweep_direction_3& direction) {
+    const internal::Approximate_surface surface = labelled.approximate_surface();
+    Partition_candidate_3 result = {
+        method, direction, internal::summarize(surface.adjacency, labelled.labels, surface.areas), {}, 0};
+    internal::measure_partition(surface, labelled.labels, direction, result.quality);
+    result.cost = cost(result.quality);
+    return result;
   }
 
   void try_labels() {
@@ -229,7 +247,7 @@ private:
     const auto& directions = m_options.directions;
     for (std::size_t k = 0; k < directions.size() && !is_enough(); ++k) {
       if (!visitor.advance(k, directions.size())) return {ERROR_CANCELLED, "while partitioning"};
-      try_direction(directions[k] / internal::length(directions[k]));
+      try_direction(internal::normalized(directions[k]));
     }
     return {};
   }
@@ -257,7 +275,7 @@ private:
     if (m_found.size() >= std::min(directions.size(), few)) return {};
     for (std::size_t k = 0; k < directions.size() && !is_enough(); ++k) {
       if (!visitor.advance(k, directions.size())) return {ERROR_CANCELLED, "while searching for loops"};
-      const Sweep_direction_3 d = directions[k] / internal::length(directions[k]);
+      const Sweep_direction_3 d = internal::normalized(directions[k]);
       static_cast<void>(try_one(
           BY_LOOPS, d, [&](internal::Labelled_surface& result) { return m_maker->by_loops(d, result); }));
     }
@@ -273,44 +291,26 @@ private:
 
   template <typename Visitor>
   Status rank(Visitor& visitor) {
-    for (std::size_t i = 0; i < m_found.size(); ++i) {
+    const bool makes_trial = m_solid.number_of_cells() <= m_options.most_cells_of_trial;
+    for (std::size_t i = 0; i < m_found.size() && makes_trial; ++i) {
       if (!visitor.advance(i, m_found.size())) return {ERROR_CANCELLED, "while comparing partitions"};
-      m_candidates.push_back(measure(m_found[i]));
+      try_on_solid(m_found[i]);
     }
-    std::vector<std::size_t> order(m_found.size());
-    std::iota(order.begin(), order.end(), std::size_t(0));
-    std::stable_sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) {
-      return m_candidates[i].cost < m_candidates[j].cost;
-    });
-    std::vector<Found> found;
-    std::vector<Partition_candidate_3> candidates;
-    for (std::size_t i : order) {
-      found.push_back(std::move(m_found[i]));
-      candidates.push_back(std::move(m_candidates[i]));
-    }
-    m_found = std::move(found);
-    m_candidates = std::move(candidates);
+    std::stable_sort(m_found.begin(), m_found.end(),
+                     [](const Found& a, const Found& b) { return a.candidate.cost < b.candidate.cost; });
+    m_found.resize(std::min(m_found.size(), m_options.number_of_candidates)); // one direction may give two
+    for (const Found& found : m_found) m_candidates.push_back(found.candidate);
     return {};
   }
 
-  Partition_candidate_3 measure(const Found& found) const {
-    const internal::Approximate_surface surface = found.surface.approximate_surface();
-    const auto& labels = found.surface.labels;
-    Partition_candidate_3 result = {
-        found.method, found.direction, internal::summarize(surface.adjacency, labels, surface.areas), {}, 0};
-    internal::measure_partition(surface, labels, found.direction, result.quality);
-    const bool makes_trial = m_solid.number_of_cells() <= m_options.most_cells_of_trial;
-    const Status status = makes_trial ? try_on_solid(found, result.quality) : Status();
-    result.cost = status.ok() ? cost(result.quality) : std::numeric_limits<double>::infinity();
-    return result;
-  }
-
   // On the given solid, though rims do not follow its edges: each facet has the label of its largest part.
-  Status try_on_solid(const Found& found, Partition_quality& quality) const {
+  void try_on_solid(Found& found) const {
     Mesh trial = m_solid;
     const std::vector<int> labels = internal::labels_of_given_facets(found.surface);
     for (Facet_index f : trial.boundary_facets()) trial.set_label(f, labels[f]);
-    return try_partition(trial, quality);
+    Partition_candidate_3& candidate = found.candidate;
+    const Status status = try_partition(trial, candidate.quality);
+    candidate.cost = status.ok() ? cost(candidate.quality) : std::numeric_limits<double>::infinity();
   }
 
   const Mesh& m_solid;

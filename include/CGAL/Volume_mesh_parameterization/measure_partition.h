@@ -22,10 +22,13 @@
 #include <CGAL/Volume_mesh_parameterization/internal/surface_fields.h>
 #include <CGAL/Volume_mesh_parameterization/propose_directions.h>
 
+#include <CGAL/squared_distance_3.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
@@ -162,21 +165,6 @@ private:
   std::vector<Point_3> m_points;
   double m_length = 0;
 };
-
-// Of the ceiling's normals, and the floor's turned round, of any length.
-inline Sweep_direction_3 mean_direction(const Approximate_surface& surface, const std::vector<int>& labels) {
-  Sweep_direction_3 sum(0, 0, 0);
-  for (Facet_index f : surface.adjacency.facets()) {
-    if (labels[f] == CEILING) sum = sum + surface.area_vector(f);
-    if (labels[f] == FLOOR) sum = sum - surface.area_vector(f);
-  }
-  return sum;
-}
-
-inline Sweep_direction_3 normalized(const Sweep_direction_3& d) {
-  const double l = length(d);
-  return l > 0 ? d / l : d;
-}
 
 // How well a facet, whose unit normal has this inner product with the direction, suits the label.
 inline double agreement(int label, double rise) {
@@ -333,7 +321,7 @@ double measure_length_spread(const Mesh& mesh, const std::vector<double>& values
 \ingroup PkgVolumeMeshParameterizationPartition
 
 returns how bad a partition is, to compare it with others of the same solid, all of them tried or none; infinite if floor
-and ceiling touch.
+and ceiling touch, or if a number overflowed.
 
 With balance \f$ b \f$, share \f$ w \f$ of the walls and \f$ w_0 \f$ of their flat parts, wall gap \f$ g \f$, alignment
 \f$ a \f$, zigzag \f$ z \f$, spreads \f$ s_g, s_l \f$ and \f$ c \f$ critical points it is
@@ -341,10 +329,11 @@ With balance \f$ b \f$, share \f$ w \f$ of the walls and \f$ w_0 \f$ of their fl
 sizes of the smallest wall and of the rims depend on the solid more than on the partition and do not count.
 */
 inline double cost(const Partition_quality& quality) {
-  return -std::log(quality.balance) - std::log1p(-quality.wall_share) + 12 * quality.flat_walls -
-         std::log(quality.wall_gap) / 2 + 4 * (1 - quality.alignment) + 2 * std::log(quality.zigzag) +
-         quality.gradient_spread + quality.length_spread +
-         std::log1p(double(quality.number_of_critical_points)) / 4;
+  const double sum = -std::log(quality.balance) - std::log1p(-quality.wall_share) + 12 * quality.flat_walls -
+                     std::log(quality.wall_gap) / 2 + 4 * (1 - quality.alignment) +
+                     2 * std::log(quality.zigzag) + quality.gradient_spread + quality.length_spread +
+                     std::log1p(double(quality.number_of_critical_points)) / 4;
+  return std::isnan(sum) ? std::numeric_limits<double>::infinity() : sum;
 }
 
 /*!

@@ -18,7 +18,6 @@
 #include <CGAL/Volume_mesh_parameterization/tetrahedralize.h>
 
 #include <cstddef>
-#include <utility>
 
 namespace CGAL {
 namespace Volume_mesh_parameterization {
@@ -26,7 +25,8 @@ namespace Volume_mesh_parameterization {
 /*!
 \ingroup PkgVolumeMeshParameterizationPartition
 
-labels the boundary of a solid as floor, ceiling and walls, by the best partition of a `Partition_search_3`.
+labels the boundary of a solid as floor, ceiling and walls, by the best partition of a `Partition_search_3` whose splits can
+be repeated in the solid.
 
 \tparam GeomTraits a model of `VolumeParameterizationTraits_3`
 \tparam Visitor a class with the functions of `Default_parameterization_visitor`
@@ -44,12 +44,13 @@ Status partition_boundary(Compact_tetrahedral_mesh_3<GeomTraits>& solid,
                           const Partition_options& options = {}, Partition_candidate_3* chosen = nullptr,
                           Visitor&& visitor = Visitor()) {
   Partition_search_3<GeomTraits> search(solid, options);
-  Compact_tetrahedral_mesh_3<GeomTraits> labelled = solid;
   Status status = search.run(visitor);
-  if (status.ok()) status = search.label(0, labelled);
-  if (!status.ok()) return status;
-  if (chosen) *chosen = search.candidates()[0];
-  solid = std::move(labelled);
+  for (std::size_t i = 0; i < search.candidates().size(); ++i) {
+    status = search.label(i, solid);
+    if (status.code() == ERROR_CANNOT_SPLIT) continue;
+    if (status.ok() && chosen) *chosen = search.candidates()[i];
+    break;
+  }
   return status;
 }
 

@@ -35,11 +35,26 @@ namespace internal {
 
 inline double length(const Sweep_direction_3& d) { return std::sqrt(d.squared_length()); }
 
+inline Sweep_direction_3 normalized(const Sweep_direction_3& d) {
+  const double l = length(d);
+  return l > 0 ? d / l : d;
+}
+
 inline Status check_directions(const std::vector<Sweep_direction_3>& directions) {
   for (const Sweep_direction_3& d : directions)
     if (!(length(d) > 0) || !std::isfinite(length(d)))
       return {ERROR_WRONG_PARAMETER, "the direction has no length"};
   return {};
+}
+
+// Of the ceiling's normals, and the floor's turned round, of any length.
+inline Sweep_direction_3 mean_direction(const Approximate_surface& surface, const std::vector<int>& labels) {
+  Sweep_direction_3 sum(0, 0, 0);
+  for (Facet_index f : surface.adjacency.facets()) {
+    if (labels[f] == CEILING) sum = sum + surface.area_vector(f);
+    if (labels[f] == FLOOR) sum = sum - surface.area_vector(f);
+  }
+  return sum;
 }
 
 // How well a surface suits a sweep along a unit vector d, from its unit normals n; means by area.
@@ -94,7 +109,9 @@ inline void take_best(const std::vector<Direction_scores>& sorted, std::size_t n
 \ingroup PkgVolumeMeshParameterizationPartition
 
 returns directions to try for a sweep, the most promising first: those from which the surface looks most like bases and
-walls, in turn with those from which most of it is seen. `surface` is as for `partition_boundary()`.
+walls, in turn with those from which most of it is seen. Unit vectors; of opposite ones there is one only.
+
+\tparam Surface a `Compact_tetrahedral_mesh_3`, whose boundary counts, or a `Triangle_soup_3` that is closed
 */
 template <typename Surface>
 std::vector<Sweep_direction_3> propose_directions(const Surface& surface) {

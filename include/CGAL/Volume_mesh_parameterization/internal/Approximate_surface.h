@@ -63,21 +63,6 @@ Approximate_surface approximate_surface(const Triangle_soup_3<Point>& soup) {
   return {Facet_adjacency(soup.points.size(), std::move(triangles)), soup.points};
 }
 
-template <typename GeomTraits>
-void assign_labels(Compact_tetrahedral_mesh_3<GeomTraits>& mesh, const std::vector<int>& labels) {
-  for (Facet_index f : mesh.boundary_facets()) mesh.set_label(f, labels[f]);
-}
-
-template <typename Point>
-void assign_labels(Triangle_soup_3<Point>& soup, const std::vector<int>& labels) {
-  soup.labels = labels;
-}
-
-template <typename Point>
-const std::vector<int>& boundary_labels(const Triangle_soup_3<Point>& soup) {
-  return soup.labels;
-}
-
 } // namespace internal
 
 } // namespace Volume_mesh_parameterization

@@ -54,11 +54,7 @@ public:
 
   // From the floor to the ceiling, by the normals of labelled facets.
   Sweep_direction_3 ascent(const std::vector<int>& labels) const {
-    Sweep_direction_3 sum = CGAL::NULL_VECTOR;
-    for (Facet_index f : m_approximate.adjacency.facets())
-      if (labels[f] == FLOOR || labels[f] == CEILING)
-        sum = sum + (labels[f] == FLOOR ? -1 : 1) * m_approximate.area_vector(f);
-    return sum;
+    return mean_direction(m_approximate, labels);
   }
 
   // The share of the area that has the same label in two partitions, whichever base is called floor.

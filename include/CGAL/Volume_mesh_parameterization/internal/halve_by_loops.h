@@ -42,8 +42,8 @@ public:
   Loop_halver(const Labelled_surface& given, const Handlebody_certificate& certificate)
       : m_given(given), m_certificate(certificate) {}
 
-  // `rise` is the height of the outward unit normals at the vertices: a loop rather runs where it is 0, and the ceiling takes
-  // what rises.
+  // `averaged_rise` is the height of the outward normals at the vertices: a loop rather runs where it is 0, and the ceiling
+  // takes what rises.
   Status run(const Sweep_direction_3& direction, const Vertex_field& averaged_rise,
              Labelled_surface& halves) const {
     std::vector<double> rise(averaged_rise.begin(), averaged_rise.end());

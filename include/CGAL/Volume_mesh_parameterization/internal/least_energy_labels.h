@@ -10,6 +10,7 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
+#include <CGAL/Volume_mesh_parameterization/Boundary_partition_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Approximate_surface.h>
 
 // GCC takes values that Boost's maximal flow always sets for uninitialized.

@@ -17,7 +17,6 @@
 
 #include <algorithm>
 #include <string>
-#include <utility>
 #include <vector>
 
 // Labels of facets of a solid that its partition must have; INTERIOR where it is free.
@@ -74,14 +73,17 @@ private:
     if (wish < FLOOR || wish > last)
       return {ERROR_NUMBER_OF_PATCHES,
               name(f) + " is to be " + patch_name(wish) + ", but the last patch is " + patch_name(last)};
-    const bool is_taken = std::find(m_number_of.begin(), m_number_of.end(), wish) != m_number_of.end();
     const bool is_free =
-        label >= FIRST_WALL && wish >= FIRST_WALL && m_number_of[label] == INTERIOR && !is_taken;
+        label >= FIRST_WALL && wish >= FIRST_WALL && m_number_of[label] == INTERIOR && !is_taken(wish);
     if (is_free) m_number_of[label] = wish;
     const bool is_honoured = label < FIRST_WALL ? wish == label : m_number_of[label] == wish;
     return is_honoured
                ? Status()
                : Status(ERROR_NO_PARTITION, name(f) + " is to be " + patch_name(wish) + describe(label));
+  }
+
+  bool is_taken(int number) const {
+    return std::find(m_number_of.begin(), m_number_of.end(), number) != m_number_of.end();
   }
 
   std::string describe(int label) const {
@@ -102,7 +104,7 @@ private:
     for (int label = FLOOR; label < int(m_number_of.size()); ++label) {
       if (label < FIRST_WALL) m_number_of[label] = label;
       if (m_number_of[label] != INTERIOR) continue;
-      while (std::find(m_number_of.begin(), m_number_of.end(), next) != m_number_of.end()) ++next;
+      while (is_taken(next)) ++next;
       m_number_of[label] = next;
     }
   }

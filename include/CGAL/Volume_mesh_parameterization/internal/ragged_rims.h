@@ -10,7 +10,6 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
-#include <CGAL/Kernel_traits.h>
 #include <CGAL/Volume_mesh_parameterization/Boundary_partition_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Labelled_surface.h>
 
