@@ -50,8 +50,8 @@ inline Vertex_field averaged_way_to_middle(const Approximate_surface& surface, c
   return 2 * Surface_diffusion(surface, 4 * mean * mean).average(distance);
 }
 
-// Isolines run in the middle between the bases: averaged ways give smooth walls, and better hexahedra. Other loops may run
-// anywhere: there the way ends at ridges at the latest, so that walls as wide as less than the whole way do not merge.
+// Averaged ways give the smoothest walls, and the best hexahedra. Up to ridges, walls as wide as less than the whole way do not
+// merge, wherever the loops run.
 enum Way_to_middle { AVERAGED, UP_TO_RIDGES };
 
 // How far the loops between floor and ceiling are away, as a share of the way to the middle of the base; negative on the
@@ -107,10 +107,9 @@ inline Status cut_walls(Labelled_surface halves, Vertex_field height, Labelled_s
 
 // Takes the widest walls that are legal, at most `width` of the way to the middle of the bases; the last ones tried have only
 // vertices of the curves inside.
-inline Status widen_walls(const Labelled_surface& halves, Way_to_middle way, double width,
-                          Labelled_surface& result) {
+inline Status widen_walls(const Labelled_surface& halves, double width, Labelled_surface& result) {
   constexpr double narrower = .7;
-  const Vertex_field height = relative_height(halves.approximate_surface(), halves.labels, way);
+  const Vertex_field height = relative_height(halves.approximate_surface(), halves.labels, UP_TO_RIDGES);
   double least = width;
   for (double h : height)
     if (h != 0) least = std::min(least, std::abs(h) * narrower);
@@ -122,12 +121,12 @@ inline Status widen_walls(const Labelled_surface& halves, Way_to_middle way, dou
   return {ERROR_NO_PARTITION, "no walls are narrow enough: " + status.message()};
 }
 
-// Averaged ways give the smoothest walls, but only ridges keep walls apart everywhere.
+// Along averaged ways if that is legal.
 inline Status make_walls(Labelled_surface halves, double width, Labelled_surface& result) {
   split_rim_chords(halves);
   const Vertex_field height = relative_height(halves.approximate_surface(), halves.labels, AVERAGED);
   const Status status = cut_walls(halves, height / width, result);
-  return status.ok() ? status : widen_walls(halves, UP_TO_RIDGES, width, result);
+  return status.ok() ? status : widen_walls(halves, width, result);
 }
 
 } // namespace internal
