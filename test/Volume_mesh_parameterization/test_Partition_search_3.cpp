@@ -237,8 +237,9 @@ void test_impossible_picks() {
       block, [&](const Point& p) { return p.x() == 0 ? wall + 2 : none; }, "the last patch is wall 1");
   expect_refusal(
       block, [&](const Point& p) { return p.x() == 0 ? -1 : none; }, "label -1");
-  expect_refusal(
-      block, [&](const Point&) { return VMP::FLOOR; }, "floor");
+  Mesh all_floor = relabelled(block, [](const Point&, int) -> int { return VMP::FLOOR; });
+  expect(VMP::partition_boundary(all_floor, options_with(VMP::KEEP_LABELS, {{0, 0, 1}})), VMP::ERROR_NO_PARTITION,
+         "all of the surface faces one side");
 }
 
 void test_honoured(Mesh mesh) {
