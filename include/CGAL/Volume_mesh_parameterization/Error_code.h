@@ -52,6 +52,7 @@ enum Error_code {
   ERROR_FLOOR_NOT_ONTO,            ///< the floor does not carry the fundamental group of the solid
   ERROR_NOT_A_HANDLEBODY,          ///< no handlebody certificate was found
   ERROR_NO_PARTITION,              ///< no legal partition was found
+  ERROR_PICKED_FACET,              ///< no legal partition gives a picked facet its label
   ERROR_CANNOT_SPLIT,              ///< a split falls on a neighbour when rounded to the number type
   ERROR_CANNOT_SOLVE,              ///< the linear solver failed
   ERROR_SWEEP_STOPPED,             ///< the sweep did not reach all tetrahedra
@@ -104,6 +105,7 @@ inline const char* get_error_message(Error_code code) {
   case ERROR_FLOOR_NOT_ONTO: return "the floor does not carry the fundamental group of the solid";
   case ERROR_NOT_A_HANDLEBODY: return "the solid is not certified as a handlebody";
   case ERROR_NO_PARTITION: return "no legal partition into floor, ceiling and walls was found";
+  case ERROR_PICKED_FACET: return "no legal partition that was found gives a picked facet its label";
   case ERROR_CANNOT_SPLIT: return "the mesh is too fine for its number type: a split degenerates";
   case ERROR_CANNOT_SOLVE: return "the linear solver failed";
   case ERROR_SWEEP_STOPPED: return "the sweep did not reach all tetrahedra";

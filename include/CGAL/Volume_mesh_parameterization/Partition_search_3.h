@@ -122,8 +122,8 @@ public:
   /// searches; may be called once.
   /// \param visitor is asked by its function `advance()` whether to go on
   /// \returns `ERROR_WRONG_PARAMETER` for a direction or walls of no length or width, or if no partition is wanted,
-  /// `ERROR_EMPTY_MESH`, `ERROR_NON_MANIFOLD`, `ERROR_SEVERAL_COMPONENTS`, `ERROR_NOT_A_HANDLEBODY`, `ERROR_NO_PARTITION` with
-  /// the reason for the last direction, `ERROR_CANCELLED`
+  /// `ERROR_EMPTY_MESH`, `ERROR_NON_MANIFOLD`, `ERROR_SEVERAL_COMPONENTS`, `ERROR_NOT_A_HANDLEBODY`, `ERROR_PICKED_FACET`,
+  /// `ERROR_NO_PARTITION` with the reason for the last direction, `ERROR_CANCELLED`
   template <typename Visitor>
   Status run(Visitor&& visitor) {
     Status status = check_options();
@@ -202,13 +202,21 @@ private:
     ++m_number_of_trials;
     internal::Labelled_surface surface;
     const Status status = make(surface);
-    // loops only care for a direction: what they say tells less
-    if (!status.ok() && (method != BY_LOOPS || m_last_refusal.ok())) m_last_refusal = status;
+    if (!status.ok()) remember(status, method);
     if (status.ok()) {
       Partition_candidate_3 candidate = measure(surface, method, direction);
       keep({std::move(surface), std::move(candidate)});
     }
     return status;
+  }
+
+  // Of several refusals, the last of those that tell most: of a picked facet, as the partition is legal but for it; or of any
+  // method but loops, which only care for a direction.
+  void remember(const Status& refusal, Partition_method method) {
+    const int telling = 2 * (refusal.code() == ERROR_PICKED_FACET) + (method != BY_LOOPS);
+    if (telling < m_telling) return;
+    m_telling = telling;
+    m_refusal = refusal;
   }
 
   // Of partitions in which all but a small part of the facets have the same labels, the one of least cost.
@@ -283,10 +291,10 @@ private:
   }
 
   Status refusal() const {
-    return {ERROR_NO_PARTITION, std::to_string(m_options.directions.size()) +
-                                    " direction(s) tried, the last one fails so: " +
-                                    (m_last_refusal.code() == ERROR_NO_PARTITION ? m_last_refusal.detail()
-                                                                                 : m_last_refusal.message())};
+    if (m_refusal.code() == ERROR_PICKED_FACET) return m_refusal;
+    return {ERROR_NO_PARTITION,
+            std::to_string(m_options.directions.size()) + " direction(s) tried, the last one fails so: " +
+                (m_refusal.code() == ERROR_NO_PARTITION ? m_refusal.detail() : m_refusal.message())};
   }
 
   template <typename Visitor>
@@ -321,7 +329,8 @@ private:
   std::vector<Found> m_found;
   std::vector<Partition_candidate_3> m_candidates;
   std::size_t m_number_of_trials = 0;
-  Status m_last_refusal;
+  Status m_refusal;
+  int m_telling = 0; // of the refusal
 };
 
 } // namespace Volume_mesh_parameterization

@@ -98,14 +98,15 @@ public:
 
   // Rims beside the curve where averaged normals turn from one side of a unit vector to the other.
   Status by_normals(const Sweep_direction_3& direction, Labelled_surface& result) {
-    Status status;
+    Status refusal;
     for (std::size_t k = 0; k < m_normals.number_of_averages(); ++k) {
       Labelled_surface halves;
-      status = m_normals.run(direction, k, m_island_share, halves);
+      Status status = m_normals.run(direction, k, m_island_share, halves);
       if (status.ok()) status = widen(halves, result);
       if (status.ok()) return status;
+      if (refusal.code() != ERROR_PICKED_FACET) refusal = status; // which tells most
     }
-    return status;
+    return refusal;
   }
 
   // Rims beside primitive loops and one more curve, which only care for a unit vector.

@@ -71,7 +71,7 @@ private:
     const int wish = m_picks[f], label = m_labels[f];
     if (wish == INTERIOR) return {};
     if (wish < FLOOR || wish > last)
-      return {ERROR_NUMBER_OF_PATCHES,
+      return {ERROR_PICKED_FACET,
               name(f) + " is to be " + patch_name(wish) + ", but the last patch is " + patch_name(last)};
     const bool is_free =
         label >= FIRST_WALL && wish >= FIRST_WALL && m_number_of[label] == INTERIOR && !is_taken(wish);
@@ -79,7 +79,7 @@ private:
     const bool is_honoured = label < FIRST_WALL ? wish == label : m_number_of[label] == wish;
     return is_honoured
                ? Status()
-               : Status(ERROR_NO_PARTITION, name(f) + " is to be " + patch_name(wish) + describe(label));
+               : Status(ERROR_PICKED_FACET, name(f) + " is to be " + patch_name(wish) + describe(label));
   }
 
   bool is_taken(int number) const {
