@@ -113,6 +113,7 @@ public:
 
   /// prepares a search. A surface is filled with tetrahedra first, coarsely: by `tetrahedralize()`.
   /// \param solid is kept by reference; `check_tetrahedral_mesh()` accepted it
+  /// \param options steer the search
   explicit Partition_search_3(const Mesh& solid, const Partition_options& options = {})
       : m_solid(solid), m_options(options), m_given(solid) {}
 

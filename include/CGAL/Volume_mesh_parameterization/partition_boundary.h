@@ -61,8 +61,13 @@ labels a closed surface as the function above labels the solid inside, of which 
 
 \tparam GeomTraits a model of `VolumeParameterizationTraits_3`
 
+\tparam Visitor as above
+
 \param surface a surface that `check_surface()` accepted. It gets labels, and where edges are split more triangles. On
 failure it is left as it was
+\param options as above; labels that facets must have are those of the surface
+\param chosen as above
+\param visitor as above
 
 \returns also the errors of `tetrahedralize()`
 */
@@ -90,6 +95,9 @@ fills a surface with tetrahedra, its boundary labelled by `partition_surface()`.
 
 \tparam GeomTraits a model of `VolumeParameterizationTraits_3`
 
+\tparam Visitor as for `partition_surface()`
+
+\param surface, options, chosen, visitor as for `partition_surface()`; the surface is copied
 \param number_of_cells as for `tetrahedralize()`
 \param solid receives the mesh; on failure it is left as it was
 
