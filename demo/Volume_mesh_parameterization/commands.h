@@ -4,6 +4,7 @@
 #include "picks.h"
 #include "threads.h"
 
+#include <CGAL/Volume_mesh_parameterization/Floor_map_options.h>
 #include <CGAL/Volume_mesh_parameterization/Partition_search_3.h>
 
 #include <array>
@@ -32,8 +33,10 @@ struct Input_options {
 struct Parameterize_options {
   Input_options input;
   std::string folder;
-  std::string domain;       // the file of a given polycube, or empty
+  std::string domain;       // the file of a given polycube; if empty, it is that onto which the boundary map maps
+  std::vector<Pick> picks;  // of its floor and ceiling
   std::string boundary_map; // the file with the images of the vertices of the input in its boundary, or empty
+  CGAL::Volume_mesh_parameterization::Floor_map_options prism; // what is asked of the prism that is found
   Field field = Field::CERTIFIED;
   std::string solver = "cg";
   std::size_t number_of_hexahedra = 0;

@@ -3,10 +3,14 @@
 #include "Chosen_solver_traits.h"
 #include "commands.h"
 
+#include <CGAL/Volume_mesh_parameterization/Boundary_partition_3.h>
+
 #include <CLI/CLI.hpp>
 
 #include <iostream>
 #include <map>
+#include <string>
+#include <utility>
 
 namespace {
 
@@ -24,7 +28,7 @@ void add_input(CLI::App& command, Input_options& options) {
 
 // Options whose values are picks; `parse` says which.
 template <typename Parse>
-void add_picks(CLI::App& command, const char* name, const char* type, const char* description, std::vector<Pick>& picks, Parse parse) {
+CLI::Option* add_picks(CLI::App& command, const char* name, const char* type, const char* description, std::vector<Pick>& picks, Parse parse) {
   const auto add = [&picks, parse](const std::vector<std::string>& texts) {
     for (const std::string& text : texts) {
       const auto pick = parse(text);
@@ -33,7 +37,7 @@ void add_picks(CLI::App& command, const char* name, const char* type, const char
     }
     return true;
   };
-  command.add_option(name, add, description)->type_name(type)->allow_extra_args(false)->take_all();
+  return command.add_option(name, add, description)->type_name(type)->allow_extra_args(false)->take_all();
 }
 
 void add_partition(CLI::App& command, Partition_command& options) {
@@ -64,7 +68,7 @@ void add_parameterize(CLI::App& command, Parameterize_options& options) {
   command.add_option("-o,--output", options.folder, "the folder for the result")->required();
   CLI::Option* partition = command.add_option("--partition", options.input.partition, "where floor, ceiling and walls come from; default: labels if INPUT has them and there is no --direction, else auto")
       ->check(CLI::IsMember({"auto", "labels"}));
-  command.add_option("--direction", options.input.direction, "from the floor to the ceiling, as X,Y,Z; with --domain: those of POLYCUBE")
+  command.add_option("--direction", options.input.direction, "from the floor to the ceiling, as X,Y,Z; with --boundary-map: those of POLYCUBE")
       ->delimiter(',');
   const std::map<std::string, Field> fields = {
       {"certified", Field::CERTIFIED}, {"flux", Field::FLUX}, {"paper", Field::PAPER}};
@@ -77,14 +81,24 @@ void add_parameterize(CLI::App& command, Parameterize_options& options) {
   command.callback([&options] {
     if (options.has_pillow && options.number_of_hexahedra == 0) throw CLI::RequiresError("--pillow", "--hexes");
   });
-  CLI::Option* domain = command.add_option("--domain", options.domain, "a given polycube instead of a prism that fits: a closed surface or tetrahedra, with or without labels")
-      ->type_name("POLYCUBE")
+  CLI::Option* boundary_map = command.add_option("--boundary-map", options.boundary_map, "onto a polycube instead of a prism that fits: a file like INPUT whose points are the images of the vertices of INPUT; those on the boundary count")
+      ->type_name("FILE")
       ->excludes(partition)
       ->excludes(hexes);
-  CLI::Option* boundary_map = command.add_option("--boundary-map", options.boundary_map, "a file like INPUT whose points are the images of the vertices of INPUT; those on the boundary count")
-      ->type_name("FILE")
-      ->needs(domain);
-  domain->needs(boundary_map);
+  command.add_option("--domain", options.domain, "the polycube: a closed surface, tetrahedra, hexahedra (.mesh), or a list of integer cells (.txt .cells); default: what the boundary map maps onto")
+      ->type_name("POLYCUBE")
+      ->needs(boundary_map);
+  for (const auto& [name, label] : {std::pair<const char*, int>("--floor", VMP::FLOOR), {"--ceiling", VMP::CEILING}}) {
+    const std::string description = "a face of POLYCUBE that is to be " + VMP::patch_name(label) + ": the number of a facet in a surface file, from 0, or X,Y,Z for the nearest; default: labels in POLYCUBE, else its lowest and highest faces";
+    add_picks(command, name, "PICK", description.c_str(), options.picks, [label = label](const std::string& text) { return parse_pick(label, text); })
+        ->needs(boundary_map);
+  }
+  command.add_option("--domain-size", options.prism.size, "width, depth and height of the prism that fits, as X,Y,Z; 0: in proportion to the others")
+      ->type_name("X,Y,Z")
+      ->delimiter(',')
+      ->excludes(boundary_map);
+  command.add_flag("--integer-planes", options.prism.integer_planes, "all planes of the prism that fits are integers; without --domain-size, in a unit that fits")
+      ->excludes(boundary_map);
   command.add_option("--solver", options.solver, "for the linear systems")
       ->check(CLI::IsMember(Chosen_solver_traits::names()))
       ->capture_default_str();

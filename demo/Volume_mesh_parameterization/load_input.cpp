@@ -23,12 +23,6 @@ using Surface = VMP::Triangle_soup_3<Point_3>;
 
 namespace {
 
-std::string extension(const std::string& file) {
-  std::string e = std::filesystem::path(file).extension().string();
-  std::transform(e.begin(), e.end(), e.begin(), [](unsigned char c) { return std::tolower(c); });
-  return e;
-}
-
 // Cuts faces with more than three vertices into triangles.
 Status read_polygons(const std::string& file, Surface& surface) {
   CGAL::Surface_mesh<Point_3> mesh;
@@ -43,7 +37,7 @@ Status read_triangles(const std::string& file, Surface& surface) {
 }
 
 Status read_soup(const std::string& file, Soup& soup) {
-  const std::string format = extension(file);
+  const std::string format = file_extension(file);
   if (format == ".mesh") return VMP::IO::read_MEDIT(file, soup);
   if (format == ".vtk") return VMP::IO::read_VTK(file, soup);
   if (format == ".vtu") return VMP::IO::read_VTU(file, soup);
@@ -75,6 +69,12 @@ Status load_tetrahedra(const Input_options& options, Stage_clock& clock, Input& 
 
 } // namespace
 
+std::string file_extension(const std::string& file) {
+  std::string e = std::filesystem::path(file).extension().string();
+  std::transform(e.begin(), e.end(), e.begin(), [](unsigned char c) { return std::tolower(c); });
+  return e;
+}
+
 VMP::Partition_options partition_options(const Input_options& options) {
   VMP::Partition_options result;
   if (options.direction) result.directions = {{(*options.direction)[0], (*options.direction)[1], (*options.direction)[2]}};
@@ -82,7 +82,7 @@ VMP::Partition_options partition_options(const Input_options& options) {
 }
 
 bool is_surface_file(const std::string& file) {
-  const std::string format = extension(file);
+  const std::string format = file_extension(file);
   return format == ".off" || format == ".obj" || format == ".ply" || format == ".stl";
 }
 

@@ -9,6 +9,8 @@
 #include <CGAL/Volume_mesh_parameterization/Triangle_soup_3.h>
 
 #include <optional>
+#include <string>
+#include <vector>
 
 // A tetrahedral mesh with a labelled boundary, and how it came about.
 struct Input {
@@ -19,6 +21,8 @@ struct Input {
   std::optional<VMP::Partition_candidate_3> chosen; // the automatic partition
 };
 
+// In lower case, with the dot.
+std::string file_extension(const std::string& file);
 bool is_surface_file(const std::string& file);
 VMP::Status read_surface(const std::string& file, VMP::Triangle_soup_3<Point_3>& surface);
 VMP::Status read_tetrahedra(const std::string& file, Mesh& mesh);

@@ -1,12 +1,14 @@
 #include "Result_folder.h"
 #include "Stage_clock.h"
 #include "commands.h"
+#include "load_domain.h"
 #include "load_input.h"
 #include "report.h"
 #include "result_files.h"
 
 #include <CGAL/Volume_mesh_parameterization/Averaged_gradient_field_3.h>
 #include <CGAL/Volume_mesh_parameterization/IO/MEDIT.h>
+#include <CGAL/Volume_mesh_parameterization/Piecewise_linear_map_3.h>
 #include <CGAL/Volume_mesh_parameterization/hexahedral_mesh.h>
 #include <CGAL/Volume_mesh_parameterization/optimize_hexahedra.h>
 #include <CGAL/Volume_mesh_parameterization/pillow_hexahedra.h>
@@ -42,18 +44,6 @@ Status about(const std::string& file, const Status& status) {
   return names_it ? status : Status(status.code(), file + ": " + status.detail());
 }
 
-// The polycube and the images of the boundary of the solid that the user gives.
-Status load_domain(const Parameterize_options& options, Stage_clock& clock, Polycube& polycube, std::vector<Point_3>& images) {
-  Input_options domain_options;
-  domain_options.file = options.domain;
-  domain_options.direction = options.input.direction;
-  domain_options.number_of_tetrahedra = options.input.number_of_tetrahedra;
-  Input domain;
-  Status status = load_input(domain_options, clock, domain);
-  if (status.ok()) status = polycube.build(domain.mesh, CGAL::parameters::visitor(Clock_visitor(clock, "domain: ")));
-  return status.ok() ? about(options.boundary_map, read_points(options.boundary_map, images)) : about(options.domain, status);
-}
-
 // One run of `handlebody parameterize`, in the order of the report: over a prism that is found, or over a polycube that
 // is given with a boundary map.
 template <typename FloorMap>
@@ -80,7 +70,7 @@ public:
 
 private:
   Status load(Input& input, std::optional<Prism_floor_map>& floor_map) {
-    floor_map.emplace();
+    floor_map.emplace(m_options.prism);
     const Status status = load_input(m_options.input, m_clock, input);
     if (!status.ok()) return status;
     m_report["input"]["partition"] = input.has_labels ? "labels" : "auto";
@@ -92,12 +82,16 @@ private:
     m_report["input"]["domain"] = m_options.domain;
     m_report["input"]["boundary_map"] = m_options.boundary_map;
     std::vector<Point_3> images;
-    Status status = load_domain(m_options, m_clock, m_polycube, images);
-    if (status.ok()) status = load_unlabelled(m_options.input, m_clock, input);
+    Status status = load_unlabelled(m_options.input, m_clock, input);
+    if (status.ok()) status = about(m_options.boundary_map, read_points(m_options.boundary_map, images));
     if (!status.ok()) return status;
     if (images.size() != input.number_of_points)
       return {VMP::ERROR_BOUNDARY_MAP, m_options.boundary_map + ": " + std::to_string(images.size()) +
                                            " points for the " + std::to_string(input.number_of_points) + " of the input"};
+    Mesh domain;
+    status = load_domain(m_options, input.mesh, images, m_clock, domain);
+    if (status.ok()) status = m_polycube.build(domain, CGAL::parameters::visitor(Clock_visitor(m_clock, "domain: ")));
+    if (!status.ok()) return about(m_options.domain.empty() ? m_options.boundary_map : m_options.domain, status);
     floor_map.emplace(m_polycube, std::move(images));
     return floor_map->label_boundary(input.mesh);
   }
@@ -108,17 +102,29 @@ private:
     m_parameterizer.emplace(floor_map);
     const Status status =
         m_parameterizer->template run<CGAL::Parallel_if_available_tag>(input.mesh, VMP::parameters::curve_type(type).visitor(Clock_visitor(m_clock)));
+    if (status.ok() && type == VMP::CERTIFIED_CURVES) m_linear_status = make_linear();
     m_clock.finish();
     m_report["input"]["tetrahedra"] = input.mesh.number_of_cells();
-    return status;
+    return m_linear_status.code() == VMP::ERROR_CANCELLED ? m_linear_status : status;
+  }
+
+  Status make_linear() {
+    return VMP::make_piecewise_linear<CGAL::Parallel_if_available_tag>(*m_parameterizer, m_linear,
+                                                                       CGAL::parameters::visitor(Clock_visitor(m_clock)));
+  }
+
+  // The mesh that is written, and the order in which its cells are swept.
+  const Mesh& object() const { return m_linear.is_valid() ? m_linear.mesh() : m_parameterizer->mesh(); }
+  const std::vector<VMP::Cell_index>& order() const {
+    return m_linear.is_valid() ? m_linear.order() : m_parameterizer->product_structure()->order();
   }
 
   Status write_what_holds() {
     const Parameterizer& p = *m_parameterizer;
     m_clock.start("check and write");
     report_mesh();
-    Status status = VMP::IO::write_MEDIT(m_folder.file(Result_folder::object), p.mesh());
-    if (status.ok() && p.product_structure()) status = m_folder.write_order(Result_folder::order, p.product_structure()->order());
+    Status status = VMP::IO::write_MEDIT(m_folder.file(Result_folder::object), object());
+    if (status.ok() && p.product_structure()) status = m_folder.write_order(Result_folder::order, order());
     if (status.ok() && m_polycube.is_valid()) status = write_polycube();
     if (p.curve_field()) report_fields();
     if (status.ok() && !p.vertex_images().empty()) status = write_map();
@@ -138,9 +144,9 @@ private:
   void report_mesh() {
     const Parameterizer& p = *m_parameterizer;
     const VMP::Preparation& splits = p.preparation();
-    m_report["counts"] = {{"tetrahedra", p.mesh().number_of_cells()},
-                          {"vertices", p.mesh().number_of_vertices()},
-                          {"boundary_triangles", p.mesh().number_of_boundary_facets()},
+    m_report["counts"] = {{"tetrahedra", object().number_of_cells()},
+                          {"vertices", object().number_of_vertices()},
+                          {"boundary_triangles", object().number_of_boundary_facets()},
                           {"genus", p.partition().genus},
                           {"split_boundary_edges", splits.boundary_edges},
                           {"split_interior_edges", splits.interior_edges},
@@ -170,29 +176,68 @@ private:
     m_report["angles"] = report_angles(p, m_angles);
   }
 
-  // The vertex map is handed out only if it is bijective.
   Status write_map() {
     const Parameterizer& p = *m_parameterizer;
     const VMP::Map_report map = VMP::verify_map(p.mesh(), p.vertex_images());
-    m_report["certificates"]["piecewise_linear"] = map.is_bijective();
     m_report["vertex_map"] = {{"flipped", map.flipped},
                               {"flat", map.flat},
                               {"off_axis_boundary_triangles", map.off_axis},
                               {"overlapping_boundary_triangles", map.overlaps},
                               {"status", report_status(map.status)}};
     m_report["domain"] = report_domain(p.floor_map()->domain());
-    m_report["distortion"] = report_distortion(VMP::measure_distortion(p.mesh(), p.vertex_images()));
-    Status status;
-    if (map.is_bijective()) {
-      Soup image = VMP::make_soup(p.mesh());
-      image.points = p.vertex_images();
-      status = VMP::IO::write_MEDIT(m_folder.file(Result_folder::parameter), image);
-    } else if (m_options.field == Field::FLUX)
-      m_not_certified = map.status;
-    if (status.ok())
-      status = write_result(m_folder, p, p.vertex_images(), height_of(p.floor_map()->domain()), m_angles, m_singularities);
+    report_floor(*p.floor_map());
+    if (m_options.field == Field::FLUX && !map.is_bijective()) m_not_certified = map.status;
+    Result_fields fields;
+    Status status = result_fields(fields);
+    if (status.ok()) status = write_linear_map(map.is_bijective(), fields);
+    if (status.ok()) status = write_result(m_folder, object(), fields, height_of(p.floor_map()->domain()), m_singularities);
     if (status.ok()) status = write_curves(m_folder, *p.product_map());
     return status;
+  }
+
+  void report_floor(const Prism_floor_map& map) {
+    m_report["floor_distortion"] = report_distortion(VMP::measure_floor_distortion(m_parameterizer->mesh(), map));
+  }
+  void report_floor(const Given_boundary_map&) {}
+
+  // A piecewise linear map is handed out only if it is bijective: the untangled one, or that of the vertices along curves.
+  Status write_linear_map(bool vertex_map_is_bijective, const Result_fields& fields) {
+    const bool is_linear = m_linear.is_valid() || vertex_map_is_bijective;
+    const std::vector<Point_3>& images = m_linear.is_valid() ? m_linear.images() : fields.images;
+    m_report["certificates"]["piecewise_linear"] = is_linear;
+    m_report["distortion"] = report_distortion(VMP::measure_distortion(object(), images));
+    m_report["piecewise_linear_map"] = {{"status", report_status(m_linear_status)},
+                                        {"untangling", report_untangling(m_linear.report())},
+                                        {"tetrahedra_before", m_parameterizer->mesh().number_of_cells()},
+                                        {"distance_to_curves", report_distance(images, fields.images)}};
+    if (!is_linear) return {};
+    Soup image = VMP::make_soup(object());
+    image.points = images;
+    return VMP::IO::write_MEDIT(m_folder.file(Result_folder::parameter), image);
+  }
+
+  // Fields of the mesh that is written, which may be finer than the one that they were computed on.
+  Status result_fields(Result_fields& fields) const {
+    const Parameterizer& p = *m_parameterizer;
+    fields = {p.harmonic_function()->values(), p.vertex_images(), positions(), m_angles};
+    if (!m_linear.is_valid()) return {};
+    const auto locations = m_linear.locations(p.mesh());
+    fields.f.clear();
+    for (const auto& l : locations) {
+      double f = 0;
+      for (int i = 0; i < 4; ++i) f += l.barycentric[i] * p.harmonic_function()->values()[p.mesh().vertex(l.cell, i)];
+      fields.f.push_back(f);
+    }
+    fields.angles.clear();
+    for (VMP::Cell_index c : m_linear.origins(p.mesh())) fields.angles.push_back(m_angles[c]);
+    return p.product_map()->template images<CGAL::Parallel_if_available_tag>(locations, fields.images);
+  }
+
+  std::vector<int> positions() const {
+    std::vector<int> result(object().number_of_cells(), 0);
+    if (m_parameterizer->product_structure())
+      for (std::size_t k = 0; k < order().size(); ++k) result[order()[k]] = int(k);
+    return result;
   }
 
   // What w is a share of.
@@ -278,6 +323,8 @@ private:
   Stage_clock m_clock;
   Polycube m_polycube; // if one is given
   std::optional<Parameterizer> m_parameterizer;
+  VMP::Piecewise_linear_map_3<Kernel> m_linear;
+  Status m_linear_status; // why there is no piecewise linear map
   Json m_report;
   std::vector<double> m_angles; // between curves and grad f, in degrees
   Singularities m_singularities;
@@ -289,6 +336,6 @@ private:
 int parameterize(const Parameterize_options& options) {
   const Thread_limit limit(options.threads);
   Chosen_solver_traits::choose(options.solver);
-  return options.domain.empty() ? Parameterization<Prism_floor_map>(options).run()
-                                : Parameterization<Given_boundary_map>(options).run();
+  return options.boundary_map.empty() ? Parameterization<Prism_floor_map>(options).run()
+                                      : Parameterization<Given_boundary_map>(options).run();
 }

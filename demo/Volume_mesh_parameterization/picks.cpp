@@ -95,18 +95,38 @@ Status apply_picks(const std::vector<Pick>& picks, VMP::Triangle_soup_3<Point_3>
 }
 
 Status apply_picks(const std::vector<Pick>& picks, Mesh& mesh) {
-  std::vector<int> labels(mesh.number_of_boundary_facets(), VMP::INTERIOR);
+  for (const Pick& pick : picks)
+    if (pick.number)
+      return {VMP::ERROR_WRONG_PARAMETER, "facets of such a file are picked by points X,Y,Z, not by numbers"};
+  for (VMP::Facet_index f : mesh.boundary_facets()) mesh.set_label(f, VMP::INTERIOR);
+  return add_point_picks(picks, mesh);
+}
+
+Status apply_numbered_picks(const std::vector<Pick>& picks, VMP::Polygon_soup_3<Point_3>& surface) {
+  surface.labels.assign(surface.polygons.size(), VMP::INTERIOR);
+  Status status;
+  for (std::size_t k = 0; k < picks.size() && status.ok(); ++k) {
+    if (!picks[k].number) continue;
+    const std::size_t f = *picks[k].number;
+    if (f >= surface.polygons.size())
+      return {VMP::ERROR_INDEX_OUT_OF_RANGE, "facet " + std::to_string(f) + " of " + std::to_string(surface.polygons.size())};
+    status = give(picks[k].label, f, surface.labels[f]);
+  }
+  return status;
+}
+
+Status add_point_picks(const std::vector<Pick>& picks, Mesh& mesh) {
   const auto triangle = [&](std::size_t f) {
     const auto v = mesh.vertices(VMP::Facet_index(f));
     return Kernel::Triangle_3(mesh.point(v[0]), mesh.point(v[1]), mesh.point(v[2]));
   };
   Status status;
   for (std::size_t k = 0; k < picks.size() && status.ok(); ++k) {
-    if (picks[k].number)
-      return {VMP::ERROR_WRONG_PARAMETER, "triangles of a tetrahedral mesh are picked by points X,Y,Z, not by numbers"};
-    const std::size_t f = nearest(picks[k].point, labels.size(), triangle);
-    status = give(picks[k].label, f, labels[f]);
+    if (picks[k].number) continue;
+    const VMP::Facet_index f(nearest(picks[k].point, mesh.number_of_boundary_facets(), triangle));
+    int label = mesh.label(f);
+    status = give(picks[k].label, f, label);
+    mesh.set_label(f, label);
   }
-  for (VMP::Facet_index f : mesh.boundary_facets()) mesh.set_label(f, labels[f]);
   return status;
 }

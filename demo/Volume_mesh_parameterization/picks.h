@@ -3,6 +3,7 @@
 
 #include "types.h"
 
+#include <CGAL/Volume_mesh_parameterization/Polygon_soup_3.h>
 #include <CGAL/Volume_mesh_parameterization/Triangle_soup_3.h>
 
 #include <cstddef>
@@ -25,5 +26,9 @@ std::optional<Pick> parse_wall_pick(const std::string& text);
 // Gives picked triangles their labels.
 VMP::Status apply_picks(const std::vector<Pick>& picks, VMP::Triangle_soup_3<Point_3>& surface);
 VMP::Status apply_picks(const std::vector<Pick>& picks, Mesh& mesh);
+
+// The same in two steps, for polygons that will be those of the mesh: first those picked by number, then the others.
+VMP::Status apply_numbered_picks(const std::vector<Pick>& picks, VMP::Polygon_soup_3<Point_3>& surface);
+VMP::Status add_point_picks(const std::vector<Pick>& picks, Mesh& mesh);
 
 #endif // HANDLEBODY_PICKS_H

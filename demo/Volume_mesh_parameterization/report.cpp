@@ -151,6 +151,29 @@ Json report_distortion(const VMP::Distortion_report& report) {
           {"symmetric_dirichlet_energy", report_statistics(report.symmetric_dirichlet_energy)}};
 }
 
+Json report_distortion(const VMP::Floor_distortion_report& report) {
+  return {{"scale", report.scale},
+          {"greatest_singular_value", report_statistics(report.greatest_singular_value)},
+          {"least_singular_value", report_statistics(report.least_singular_value)},
+          {"symmetric_dirichlet_energy", report_statistics(report.symmetric_dirichlet_energy)}};
+}
+
+Json report_untangling(const VMP::Untangling_report& report) {
+  return {{"start", report.starts_along_curves ? "along curves" : "harmonic"},
+          {"flipped_at_start", report.flipped_at_start},
+          {"flipped_at_end", report.flipped_at_end},
+          {"rounds", report.rounds},
+          {"bisected_edges_inside", report.bisected_edges},
+          {"relaxed_clusters", report.relaxed_clusters}};
+}
+
+// Each vertex counts the same.
+Json report_distance(const std::vector<Point_3>& images, const std::vector<Point_3>& others) {
+  std::vector<double> distances;
+  for (std::size_t v = 0; v < images.size(); ++v) distances.push_back(std::sqrt(CGAL::squared_distance(images[v], others[v])));
+  return report_statistics(VMP::Weighted_statistics(distances, std::vector<double>(distances.size(), 1)));
+}
+
 Json report_hexahedra(const VMP::Hexahedra_report& report, std::size_t number, bool has_pillow) {
   return {{"number", number},
           {"pillow", has_pillow},

@@ -7,7 +7,9 @@
 
 #include <CGAL/Volume_mesh_parameterization/Partition_search_3.h>
 #include <CGAL/Volume_mesh_parameterization/critical_points.h>
+#include <CGAL/Volume_mesh_parameterization/Piecewise_linear_map_3.h>
 #include <CGAL/Volume_mesh_parameterization/measure_distortion.h>
+#include <CGAL/Volume_mesh_parameterization/measure_floor_distortion.h>
 #include <CGAL/Volume_mesh_parameterization/verify_hexahedra.h>
 
 #include <nlohmann/json.hpp>
@@ -27,6 +29,9 @@ Json report_angles(const Product& product, const std::vector<double>& angles_of_
 Json report_domain(const VMP::Prism_3<Kernel>& domain);
 Json report_domain(const Polycube& domain);
 Json report_distortion(const VMP::Distortion_report& report);
+Json report_distortion(const VMP::Floor_distortion_report& report);
+Json report_untangling(const VMP::Untangling_report& report);
+Json report_distance(const std::vector<Point_3>& images, const std::vector<Point_3>& others);
 Json report_hexahedra(const VMP::Hexahedra_report& report, std::size_t number, bool has_pillow);
 Json report_versions();
 

@@ -93,25 +93,21 @@ std::vector<T> padded(std::vector<T> values, std::size_t size) {
 
 } // namespace
 
-Status write_result(const Result_folder& folder, const Product& product, const std::vector<Point_3>& images, double height,
-                    const std::vector<double>& angles, const Singularities& singularities) {
-  const Mesh& mesh = product.mesh();
+Status write_result(const Result_folder& folder, const Mesh& mesh, const Result_fields& fields, double height,
+                    const Singularities& singularities) {
   std::vector<double> u, v, w;
-  for (const Point_3& p : images) {
+  for (const Point_3& p : fields.images) {
     u.push_back(p.x());
     v.push_back(p.y());
     w.push_back(p.z() / height);
   }
-  std::vector<int> positions(mesh.number_of_cells(), 0);
-  if (const auto* structure = product.product_structure())
-    for (VMP::Cell_index c : mesh.cells()) positions[c] = int(structure->position(c));
   VMP::IO::VTU_content content;
   for (const VMP::Critical_vertex& v : singularities.critical_vertices) content.marked_vertices.push_back(v.vertex);
   for (const VMP::Irregular_edge& e : singularities.irregular_edges) content.marked_edges.push_back(e.vertices);
   const std::size_t cells = mesh.number_of_cells() + mesh.number_of_boundary_facets() + content.marked_vertices.size() +
                             content.marked_edges.size();
-  content.point_data = {{"f", product.harmonic_function()->values()}, {"u", u}, {"v", v}, {"w", w}};
-  content.cell_data = {{"sweep_position", padded(positions, cells)}, {"angle", padded(angles, cells)}};
+  content.point_data = {{"f", fields.f}, {"u", u}, {"v", v}, {"w", w}};
+  content.cell_data = {{"sweep_position", padded(fields.positions, cells)}, {"angle", padded(fields.angles, cells)}};
   return VMP::IO::write_VTU(folder.file(Result_folder::result), mesh, content);
 }
 

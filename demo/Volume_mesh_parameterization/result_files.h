@@ -22,10 +22,17 @@ struct Singularities {
   std::vector<VMP::Irregular_edge> irregular_edges;    // of the flux
 };
 
-// result.vtu: the object mesh with f, u, v, w, labels, sweep positions, angles, critical points and irregular edges. The
-// images of the vertices are (u, v, w times `height`).
-VMP::Status write_result(const Result_folder& folder, const Product& product, const std::vector<Point_3>& images,
-                         double height, const std::vector<double>& angles, const Singularities& singularities);
+// What result.vtu tells about the mesh that is written.
+struct Result_fields {
+  std::vector<double> f;
+  std::vector<Point_3> images;  // along curves: (u, v, w times the height)
+  std::vector<int> positions;   // of cells in the sweep
+  std::vector<double> angles;   // of cells
+};
+
+// result.vtu: the object mesh with f, u, v, w, labels, sweep positions, angles, critical points and irregular edges.
+VMP::Status write_result(const Result_folder& folder, const Mesh& mesh, const Result_fields& fields, double height,
+                         const Singularities& singularities);
 
 // curves.vtp: some integral curves in M and their images in P.
 VMP::Status write_curves(const Result_folder& folder, const VMP::Product_map_3<Kernel, Prism_floor_map>& map);

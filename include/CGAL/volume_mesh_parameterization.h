@@ -28,12 +28,14 @@
 #include <CGAL/Volume_mesh_parameterization/Dual_potential_3.h>
 #include <CGAL/Volume_mesh_parameterization/Error_code.h>
 #include <CGAL/Volume_mesh_parameterization/Floor_map_2.h>
+#include <CGAL/Volume_mesh_parameterization/Floor_map_options.h>
 #include <CGAL/Volume_mesh_parameterization/Flux_field_3.h>
 #include <CGAL/Volume_mesh_parameterization/Harmonic_function_3.h>
 #include <CGAL/Volume_mesh_parameterization/Hexahedron_soup_3.h>
 #include <CGAL/Volume_mesh_parameterization/Integral_curve_3.h>
 #include <CGAL/Volume_mesh_parameterization/Partition_search_3.h>
 #include <CGAL/Volume_mesh_parameterization/Polycube_3.h>
+#include <CGAL/Volume_mesh_parameterization/Polygon_soup_3.h>
 #include <CGAL/Volume_mesh_parameterization/Prism_3.h>
 #include <CGAL/Volume_mesh_parameterization/Product_map_3.h>
 #include <CGAL/Volume_mesh_parameterization/Product_structure_3.h>
@@ -46,10 +48,14 @@
 #include <CGAL/Volume_mesh_parameterization/critical_points.h>
 #include <CGAL/Volume_mesh_parameterization/handlebody_certificate.h>
 #include <CGAL/Volume_mesh_parameterization/hexahedral_mesh.h>
+#include <CGAL/Volume_mesh_parameterization/image_of_boundary.h>
 #include <CGAL/Volume_mesh_parameterization/indices.h>
 #include <CGAL/Volume_mesh_parameterization/irregular_edges.h>
+#include <CGAL/Volume_mesh_parameterization/label_polycube.h>
 #include <CGAL/Volume_mesh_parameterization/make_triangle_soup.h>
 #include <CGAL/Volume_mesh_parameterization/measure_distortion.h>
+#include <CGAL/Volume_mesh_parameterization/measure_floor_distortion.h>
+#include <CGAL/Volume_mesh_parameterization/measure_map_distance.h>
 #include <CGAL/Volume_mesh_parameterization/measure_partition.h>
 #include <CGAL/Volume_mesh_parameterization/optimize_hexahedra.h>
 #include <CGAL/Volume_mesh_parameterization/parameterize.h>
@@ -60,6 +66,7 @@
 #include <CGAL/Volume_mesh_parameterization/propose_directions.h>
 #include <CGAL/Volume_mesh_parameterization/sweep_with_repairs.h>
 #include <CGAL/Volume_mesh_parameterization/tetrahedralize.h>
+#include <CGAL/Volume_mesh_parameterization/tetrahedralize_polycube.h>
 #include <CGAL/Volume_mesh_parameterization/validate_partition.h>
 #include <CGAL/Volume_mesh_parameterization/verify.h>
 #include <CGAL/Volume_mesh_parameterization/verify_hexahedra.h>

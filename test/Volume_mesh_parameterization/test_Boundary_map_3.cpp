@@ -242,6 +242,46 @@ void test_patches_in_one_plane() {
   assert(code(lower_half, everywhere) == VMP::OK);
 }
 
+// A border askew, along which barycentres of splits are rounded: its slope is 3, its coordinates have 51 bits or more.
+void test_split_border() {
+  const double unit = std::ldexp(double((1LL << 50) + 12345677), -50);
+  const auto everywhere = [](const Inexact::Point_3&) { return true; };
+  const auto lower_half = [](const Inexact::Point_3& p) { return p.x() > p.y(); };
+  const auto block = [&](int per_unit) {
+    VMP::Compact_tetrahedral_mesh_3<Inexact> mesh;
+    const auto scaled = [&](const Inexact::Point_3& p) {
+      return Inexact::Point_3(p.x() * unit, p.y() * 3 * unit, p.z());
+    };
+    const VMP::Status status =
+        mesh.assign(transformed(VMP::make_soup(labelled_block(per_unit, lower_half, everywhere)), scaled));
+    assert(status.ok());
+    return mesh;
+  };
+  Inexact_polycube polycube;
+  VMP::Compact_tetrahedral_mesh_3<Inexact> mesh = block(2);
+  VMP::Status status = polycube.build(block(1));
+  Inexact_map map(polycube, mesh.points());
+  if (status.ok()) status = map.label_boundary(mesh);
+  assert(status.ok());
+  VMP::internal::Splittable_mesh<Inexact> splittable(mesh);
+  const auto is_on_border = [&](VMP::Vertex_index v) {
+    return CGAL::collinear(mesh.point(v), Inexact::Point_3(0, 0, 0), Inexact::Point_3(unit, 3 * unit, 0));
+  };
+  for (VMP::Facet_index f : floor_facets(mesh))
+    for (int i = 0; i < 3; ++i) {
+      const VMP::Vertex_index v = mesh.vertices(f)[i], w = mesh.vertices(f)[(i + 1) % 3];
+      if (is_on_border(v) && is_on_border(w)) status = splittable.insert_barycentre({v, w});
+      assert(status.ok());
+    }
+  status = std::move(splittable).write_to(mesh);
+  const std::size_t n = mesh.number_of_vertices();
+  assert(status.ok() && mesh.split_simplices().size() == 2);
+  assert(!is_on_border(VMP::Vertex_index(n - 2)) || !is_on_border(VMP::Vertex_index(n - 1)));
+  status = map.build(mesh);
+  if (!status.ok()) std::cerr << status.message() << std::endl;
+  assert(status.ok());
+}
+
 // The floor has a hole, whose rim is mapped to a slit on both sides: the images of its facets cover a square once.
 void test_slit() {
   using Point_3 = Inexact::Point_3;
@@ -311,6 +351,7 @@ int main() {
   for (int holes : {0, 1, 2}) test_holes(holes);
   Given_domain_test<Exact>(labelled_step<Exact>(2), step<Exact>(2)).run(50, 0);
   test_patches_in_one_plane();
+  test_split_border();
   test_slit();
   test_missing();
   test_no_polycube();

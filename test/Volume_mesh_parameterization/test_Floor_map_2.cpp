@@ -3,6 +3,7 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
 #include <CGAL/Volume_mesh_parameterization/Floor_map_2.h>
+#include <CGAL/Volume_mesh_parameterization/measure_floor_distortion.h>
 
 #include "test_util.h"
 
@@ -133,9 +134,10 @@ void test_border(const VMP::Compact_tetrahedral_mesh_3<Kernel>& mesh, const VMP:
 }
 
 template <typename Kernel>
-VMP::Floor_map_2<Kernel> test_map(const Soup<Kernel>& soup, int holes, int points, double tolerance) {
+VMP::Floor_map_2<Kernel> test_map(const Soup<Kernel>& soup, int holes, int points, double tolerance,
+                                  const VMP::Floor_map_options& options = VMP::Floor_map_options()) {
   const auto mesh = make_mesh<Kernel>(soup);
-  VMP::Floor_map_2<Kernel> map;
+  VMP::Floor_map_2<Kernel> map(options);
   const VMP::Status status = map.build(mesh);
   if (!status.ok()) std::cerr << status.message() << std::endl;
   assert(status.ok() && map.domain().number_of_holes() == std::size_t(holes));
@@ -164,15 +166,190 @@ void test_block_is_kept(int holes) {
     assert(std::abs(domain.hole(k).area() - 1) < 0.1);
 }
 
-// Lines of holes that almost coincide are moved to one, but never the two of a thin hole.
+const Grid_box square = {0, 0, 7, 7};
+const std::vector<Grid_box> array_of_holes = {{1, 1, 2, 2}, {3, 1, 4, 2}, {5, 1, 6, 2},
+                                              {1, 3, 2, 4}, {3, 3, 4, 4}, {5, 3, 6, 4},
+                                              {1, 5, 2, 6}, {3, 5, 4, 6}, {5, 5, 6, 6}};
+const std::vector<Grid_box> pinwheel = {{1, 1, 4, 2}, {5, 1, 6, 4}, {3, 5, 6, 6}, {1, 3, 2, 6}, {3, 3, 4, 4}};
+
+Grid_box random_box(std::mt19937& random, int size) {
+  const auto below = [&](int n) { return int(random() % unsigned(n)); };
+  const int x = 1 + below(size - 2), y = 1 + below(size - 2);
+  return {x, y, std::min(x + 1 + below(3), size - 1), std::min(y + 1 + below(3), size - 1)};
+}
+
+// Disjoint holes at random places of a square, with edges of up to 3.
+std::vector<Grid_box> random_holes(int n, int size, unsigned seed) {
+  std::mt19937 random(seed);
+  std::vector<Grid_box> holes;
+  while (int(holes.size()) < n) {
+    const Grid_box hole = random_box(random, size);
+    if (std::none_of(holes.begin(), holes.end(), [&](const Grid_box& h) { return h.is_near(hole); }))
+      holes.push_back(hole);
+  }
+  return holes;
+}
+
+// Rolls a block up so far that its floor, outside, is seen from all directions.
+Soup<Inexact> rolled(const Soup<Inexact>& soup, double width) {
+  const double all = 1.5 * CGAL_PI, radius = width / all;
+  return transformed(soup, [&](const Inexact::Point_3& p) {
+    const double angle = all * (p.x() / width - .5), r = radius * (1 - p.z() / width);
+    return Inexact::Point_3(r * std::sin(angle), p.y(), -r * std::cos(angle));
+  });
+}
+
+// A round plate with a ring of round bores.
+Soup<Inexact> flange(int bores, int m) {
+  const double size = 15;
+  std::vector<Grid_box> holes;
+  for (int k = 0; k < bores; ++k) {
+    const double angle = 2 * CGAL_PI * k / bores, radius = size / 2 - 2.2;
+    const int x = int(std::lround(size / 2 + radius * std::cos(angle) - .5)),
+              y = int(std::lround(size / 2 + radius * std::sin(angle) - .5));
+    holes.push_back({x, y, x + 1, y + 1});
+  }
+  const auto soup = Block_with_holes<Inexact::Point_3>({0, 0, int(size), int(size)}, holes, m, 1).soup();
+  return transformed(soup, [&](const Inexact::Point_3& p) {
+    const double x = 2 * p.x() / size - 1, y = 2 * p.y() / size - 1;
+    return Inexact::Point_3(x * std::sqrt(1 - .45 * y * y), y * std::sqrt(1 - .45 * x * x), p.z() / size);
+  });
+}
+
+double energy_of(const Soup<Inexact>& soup, const VMP::Floor_map_2<Inexact>& map) {
+  return VMP::measure_floor_distortion(make_mesh<Inexact>(soup), map).symmetric_dirichlet_energy.mean();
+}
+
+// Plates are kept: wherever the holes lie, the map is an isometry.
+void test_arrangement(int size, const std::vector<Grid_box>& holes, unsigned seed) {
+  const int n = int(holes.size());
+  const auto soup = Block_with_holes<Inexact::Point_3>({0, 0, size, size}, holes, 2, 1).soup();
+  const double energy = energy_of(soup, test_map<Inexact>(soup, n, 200, 1e-13));
+  std::cout << n << " holes in a plate: energy " << energy << std::endl;
+  assert(std::abs(energy - 4) < 1e-6);
+  test_map<Inexact>(jittered<Inexact>(soup, .5, .2, seed), n, 200, 1e-13);
+  test_map<Inexact>(rolled(soup, size), n, 200, 1e-12);
+}
+
+void test_arrangements() {
+  test_arrangement(7, array_of_holes, 1);
+  test_arrangement(7, pinwheel, 2);
+  for (int n = 0; n <= 9; ++n) test_arrangement(12, random_holes(n, 12, unsigned(n) + 5), unsigned(n));
+  for (int bores : {5, 9}) {
+    const Soup<Inexact> soup = flange(bores, 2);
+    const double energy = energy_of(soup, test_map<Inexact>(soup, bores, 200, 1e-13));
+    std::cout << bores << " bores: energy " << energy << std::endl;
+    assert(energy < 4.3);
+  }
+}
+
+// All planes are integers. Of a block of cubes they are those that it has, turned by a quarter.
+void test_integers() {
+  VMP::Floor_map_options options;
+  options.integer_planes = true;
+  for (const std::vector<Grid_box>& holes : {array_of_holes, pinwheel, std::vector<Grid_box>()}) {
+    const auto soup =
+        transformed(Block_with_holes<Inexact::Point_3>(square, holes, 2, 2).soup(),
+                    [](const auto& p) { return Inexact::Point_3(.3 * p.x(), .3 * p.y(), .3 * p.z()); });
+    const auto map = test_map<Inexact>(soup, int(holes.size()), 200, 1e-13, options);
+    const VMP::Prism_3<Inexact>& domain = map.domain();
+    assert(domain.outer() == VMP::Rectangle_2({0, 0, 7, 7}) && domain.height() == 1);
+    for (std::size_t r = 1; r < domain.number_of_rims(); ++r) {
+      const Grid_box& hole = holes[std::size_t(domain.wall_label(r) - VMP::FIRST_WALL - 1)];
+      assert(domain.rim(r) ==
+             VMP::Rectangle_2({7. - hole.ymax, double(hole.xmin), 7. - hole.ymin, double(hole.xmax)}));
+    }
+  }
+  for (unsigned seed = 1; seed <= 3; ++seed) {
+    const auto soup =
+        Block_with_holes<Inexact::Point_3>({0, 0, 12, 12}, random_holes(6, 12, seed), 2, 1).soup();
+    const auto map = test_map<Inexact>(rolled(soup, 12), 6, 200, 1e-12, options);
+    for (std::size_t r = 0; r < map.domain().number_of_rims(); ++r)
+      for (const auto& corner : map.domain().rim(r).corners())
+        assert(corner[0] == std::round(corner[0]) && corner[1] == std::round(corner[1]));
+    assert(map.domain().height() == std::round(map.domain().height()));
+  }
+}
+
+void test_sizes() {
+  const auto soup = Block_with_holes<Inexact::Point_3>(square, pinwheel, 2, 1).soup();
+  VMP::Floor_map_options options;
+  options.size = {20, 10, 3};
+  const auto stretched = test_map<Inexact>(soup, 5, 200, 1e-13, options);
+  assert(stretched.domain().outer() == VMP::Rectangle_2({0, 0, 20, 10}) && stretched.domain().height() == 3);
+  options.size = {0, 0, 5}; // natural sizes are about 7, 7 and 1
+  const auto scaled = test_map<Inexact>(soup, 5, 200, 1e-13, options);
+  assert(scaled.domain().height() == 5 && std::abs(scaled.domain().outer().width() - 35) < 1);
+  options.size = {14, 21, 0};
+  options.integer_planes = true;
+  const auto integers = test_map<Inexact>(soup, 5, 200, 1e-13, options);
+  assert(integers.domain().outer() == VMP::Rectangle_2({0, 0, 14, 21}) && integers.domain().height() == 2);
+  for (const std::array<double, 3>& size : {std::array<double, 3>{2, 2, 1}, {7.5, 0, 0}, {-1, 0, 0}}) {
+    options.size = size;
+    VMP::Floor_map_2<Inexact> map(options);
+    assert(map.build(make_mesh<Inexact>(soup)).code() == VMP::ERROR_WRONG_PARAMETER &&
+           map.number_of_vertices() == 0);
+  }
+  options = VMP::Floor_map_options();
+  options.size[1] = std::numeric_limits<double>::quiet_NaN();
+  assert(VMP::Floor_map_2<Inexact>(options).build(make_mesh<Inexact>(soup)).code() ==
+         VMP::ERROR_WRONG_PARAMETER);
+}
+
+// The same again and again.
+void test_determinism() {
+  const auto mesh =
+      make_mesh<Inexact>(rolled(Block_with_holes<Inexact::Point_3>(square, pinwheel, 2, 1).soup(), 7));
+  VMP::Floor_map_2<Inexact> a, b;
+  assert(a.build(mesh).ok() && b.build(mesh).ok() && b.build(mesh).ok());
+  assert(a.number_of_vertices() == b.number_of_vertices());
+  for (std::size_t v = 0; v < a.number_of_vertices(); ++v) assert(a.image(v) == b.image(v));
+}
+
+// Lines of holes that almost coincide are moved to one, but never the two of a thin hole, and holes never touch.
 void test_alignment() {
   const std::vector<VMP::Rectangle_2> rims = {
       {0, 0, 10, 10}, {1, 2, 2, 7}, {3, 2.2, 4, 7.3}, {5, 5, 6, 5.1}, {7, 4, 8, 5.2}};
-  const std::vector<VMP::Rectangle_2> aligned = VMP::internal::align(rims);
+  const std::vector<VMP::Rectangle_2> aligned = VMP::internal::aligned(rims);
   assert(aligned[0] == rims[0] && aligned[1].ymin == aligned[2].ymin && aligned[1].ymax == aligned[2].ymax);
   assert(std::abs(aligned[1].ymin - 2.1) < 1e-12 && std::abs(aligned[1].ymax - 7.15) < 1e-12);
   assert(aligned[3].ymin == 5 && aligned[3].ymax == aligned[4].ymax && aligned[4].ymin == 4);
-  assert(VMP::internal::align(aligned) == aligned);
+  assert(VMP::internal::aligned(aligned) == aligned);
+  const std::vector<VMP::Rectangle_2> facing = {
+      {0, 0, 10, 10}, {1, 1, 4, 4}, {4.2, 3, 7, 7}, {3.9, 4.3, 4, 8}};
+  const std::vector<VMP::Rectangle_2> moved = VMP::internal::aligned(facing);
+  assert((VMP::Prism_3<Inexact>(moved[0], {moved[1], moved[2], moved[3]}, 1).is_valid()));
+  for (unsigned seed = 1; seed <= 20; ++seed) {
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<double> shift(-.45, .45);
+    std::vector<VMP::Rectangle_2> holes, all(1, {0, 0, 12, 12});
+    for (const Grid_box& h : random_holes(8, 12, seed))
+      all.push_back(
+          {h.xmin + shift(random), h.ymin + shift(random), h.xmax + shift(random), h.ymax + shift(random)});
+    const auto result = VMP::internal::aligned(all);
+    assert(VMP::Prism_3<Inexact>(result[0], {result.begin() + 1, result.end()}, 1).is_valid());
+  }
+}
+
+bool is_separable(const std::vector<VMP::Rectangle_2>& rims) {
+  return VMP::internal::separated(rims) == rims;
+}
+
+// Overlapping rectangles and those that no line across parts become separable; others are kept.
+void test_separation() {
+  const VMP::Rectangle_2 base = {0, 0, 7, 7};
+  std::vector<VMP::Rectangle_2> array(1, base), wheel(1, base);
+  for (const Grid_box& h : array_of_holes)
+    array.push_back({double(h.xmin), double(h.ymin), double(h.xmax), double(h.ymax)});
+  for (const Grid_box& h : pinwheel)
+    wheel.push_back({double(h.xmin), double(h.ymin), double(h.xmax), double(h.ymax)});
+  assert(is_separable(array) && !is_separable(wheel) && is_separable({base}));
+  const std::vector<VMP::Rectangle_2> same = {base, {1, 1, 6, 6}, {1, 1, 6, 6}, {1, 1, 6, 6}, {2, 2, 3, 3}};
+  for (const auto& rims : {wheel, same}) {
+    const auto result = VMP::internal::separated(rims);
+    assert(result != rims && is_separable(result) && result[0] == base);
+    assert(VMP::Prism_3<Inexact>(base, {result.begin() + 1, result.end()}, 1).is_valid());
+  }
 }
 
 VMP::Error_code code_of(const Soup<Inexact>& soup) {
@@ -274,7 +451,15 @@ int main() {
       }
   }
   test_map<Exact>(jittered<Exact>(Block_with_holes<Exact::Point_3>(1, 1, 1).soup(), 1, 0.2, 5), 1, 50, 0);
+  test_map<Exact>(
+      Block_with_holes<Exact::Point_3>({0, 0, 5, 5}, {{1, 1, 2, 2}, {3, 1, 4, 2}, {2, 3, 3, 4}}, 1, 1).soup(),
+      3, 50, 0);
+  test_arrangements();
+  test_integers();
+  test_sizes();
+  test_determinism();
   test_alignment();
+  test_separation();
   test_finger();
   test_refusals();
   std::cout << "done" << std::endl;

@@ -19,12 +19,32 @@ void test_validity() {
   assert(!Prism().is_valid());
   assert(Prism(outer, {}, 1).is_valid());
   assert(Prism(outer, {left_hole, right_hole}, 1).is_valid());
-  assert(!Prism(outer, {right_hole, left_hole}, 1).is_valid());
+  assert(Prism(outer, {right_hole, left_hole}, 1).is_valid());
   assert(!Prism(outer, {left_hole}, 0).is_valid());
   assert(!Prism(left_hole, {outer}, 1).is_valid());
   assert(!Prism(outer, {{1, 0, 2, 2}}, 1).is_valid());
   assert(!Prism(outer, {{1, 1, 7, 2}}, 1).is_valid());
   assert(!Prism(outer, {{1, 1, 1, 2}}, 1).is_valid());
+}
+
+// Holes may lie anywhere, but they may not even touch.
+void test_arrangements() {
+  const std::vector<VMP::Rectangle_2> pinwheel = {
+      {1, 1, 4, 2}, {5, 1, 6, 4}, {3, 5, 6, 6}, {1, 3, 2, 6}, {3, 3, 4, 4}};
+  const VMP::Rectangle_2 square = {0, 0, 7, 7};
+  assert(Prism(square, pinwheel, 1).is_valid());
+  const auto with = [&](const VMP::Rectangle_2& hole) {
+    std::vector<VMP::Rectangle_2> holes = pinwheel;
+    holes.push_back(hole);
+    return Prism(square, holes, 1).is_valid();
+  };
+  assert(with({4.5, 2, 4.75, 4}));
+  assert(!with({4.5, 2, 5, 4}));           // touches a side
+  assert(!with({4, 4, 4.5, 4.5}));         // touches a corner
+  assert(!with({2.5, 2.5, 4.5, 4.5}));     // contains another one
+  assert(!with({3.25, 3.25, 3.75, 3.75})); // is contained
+  assert(!with({0.5, 0.5, 6.5, 1.5}));
+  assert(square.meets(pinwheel[0]) && !pinwheel[0].meets(pinwheel[1]));
 }
 
 void test_sides() {
@@ -48,6 +68,7 @@ void test_sides() {
 
 int main() {
   test_validity();
+  test_arrangements();
   test_sides();
   std::cout << "done" << std::endl;
   return EXIT_SUCCESS;

@@ -38,8 +38,8 @@ double area(const Hexahedra& mesh, const VMP::Labelled_quadrilateral& q) {
 }
 
 // Boxes of the right total volume; quadrilaterals of each label cover that side, and are seen from outside.
-void test_block(int holes) {
-  const Prism prism = block(holes);
+void test_block(const Prism& prism) {
+  const int holes = int(prism.number_of_holes());
   const VMP::Prism_grid grid = VMP::prism_grid(prism, 0.25);
   Hexahedra mesh;
   const VMP::Status status = VMP::hexahedral_mesh(prism, grid, Identity{1.5, 1}, mesh);
@@ -61,7 +61,10 @@ void test_block(int holes) {
   assert(areas.size() == std::size_t(holes) + 3);
   assert(std::abs(areas[VMP::FLOOR] - prism.base_area()) < 1e-9 &&
          std::abs(areas[VMP::CEILING] - areas[VMP::FLOOR]) < 1e-9);
-  for (int k = 0; k < holes; ++k) assert(std::abs(areas[VMP::FIRST_WALL + 1 + k] - 6) < 1e-9);
+  for (int k = 0; k < holes; ++k) {
+    const double rim = 2 * (prism.hole(k).width() + prism.hole(k).height());
+    assert(std::abs(areas[VMP::FIRST_WALL + 1 + k] - rim * prism.height()) < 1e-9);
+  }
 }
 
 void test_target() {
@@ -96,7 +99,10 @@ void test_refusals() {
 }
 
 int main() {
-  for (int holes = 0; holes <= 3; ++holes) test_block(holes);
+  for (int holes = 0; holes <= 3; ++holes) test_block(block(holes));
+  test_block(Prism({0, 0, 7, 7}, {{1, 1, 4, 2}, {5, 1, 6, 4}, {3, 5, 6, 6}, {1, 3, 2, 6}, {3, 3, 4, 4}},
+                   1.5)); // a pinwheel
+  test_block(Prism({0, 0, 4, 3}, {{1, 1, 2, 1.5}, {0.5, 2, 2.5, 2.5}, {2.25, 0.25, 3.75, 1.75}}, 1.5));
   test_target();
   test_mirrored();
   test_refusals();

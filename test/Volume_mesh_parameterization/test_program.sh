@@ -123,7 +123,7 @@ test_wrong_usage() {
   run 2 parameterize block.mesh -o result --threads 1025
   run 2 parameterize block.mesh -o result --threads few
   run 2 parameterize block.mesh -o result --domain block.mesh
-  run 2 parameterize block.mesh -o result --boundary-map block.mesh
+  run 2 parameterize block.mesh -o result --floor 0,0,0
   run 2 parameterize block.mesh -o result --domain block.mesh --boundary-map block.mesh --hexes 100
   [ ! -e result ] || fail "wrong usage leaves a folder"
   run 0 --help
@@ -241,6 +241,60 @@ test_given_domain() {
   says_why coarse.mesh 'points'
 }
 
+# The polycube of block.mesh in all forms that may be given.
+ring_cells() { printf '%s\n' '# a ring' '0 0 0' '1 0 0' '2 0 0' '0 1 0' '2 1 0 # beside the hole' '0 2 0' '1 2 0' '2 2 0'; }
+ring_corners() { ring_cells | sed 's/#.*//' | awk 'NF { for (i = 0; i < 8; ++i) print $1 + (i % 4 == 1 || i % 4 == 2), $2 + int(i % 4 / 2), int(i / 4) }'; }
+ring_quadrilaterals() {
+  local faces='1 4 3 2 5 6 7 8 1 2 6 5 2 3 7 6 3 4 8 7 4 1 5 8'
+  awk -v faces="$faces" 'BEGIN { split(faces, v); for (k = 0; k < 8; ++k) for (f = 0; f < 24; f += 4)
+    print 8 * k + v[f + 1], 8 * k + v[f + 2], 8 * k + v[f + 3], 8 * k + v[f + 4] }'
+}
+ring_hexahedra() {
+  printf '%s\n' 'MeshVersionFormatted 2' 'Dimension 3' Vertices 64
+  ring_corners | sed 's/$/ 0/'
+  printf '%s\n' Hexahedra 8
+  awk 'BEGIN { for (k = 0; k < 8; ++k) { for (i = 1; i <= 8; ++i) printf "%d ", 8 * k + i; print 0 } print "End" }'
+}
+
+test_polycubes() {
+  ring_cells >ring.cells
+  { ring_corners | sed 's/^/v /' && ring_quadrilaterals | sed 's/^/f /'; } >ring.obj
+  { printf 'OFF\n64 48 0\n' && ring_corners && ring_quadrilaterals | awk '{ print 4, $1 - 1, $2 - 1, $3 - 1, $4 - 1 }'; } >ring.off
+  ring_hexahedra >ring.mesh
+  local polycube given=(parameterize bent.mesh -o given --boundary-map block.mesh --tets 500)
+  for polycube in ring.cells ring.obj ring.off ring.mesh; do
+    run 0 "${given[@]}" --domain "$polycube"
+    run 0 verify given
+    run 0 "${given[@]}" --domain "$polycube" --floor 1.5,0.5,1 --ceiling 0.5,1.5,-1
+    run 0 verify given
+  done
+  run 0 "${given[@]}"
+  run 0 verify given
+  run 0 "${given[@]}" --direction 0,0,-2
+  run 0 "${given[@]}" --domain ring.obj --floor 0 --ceiling 0.5,0.5,1 --floor 12
+  run 1 "${given[@]}" --domain ring.obj --floor 0 --ceiling 5
+  says_why ring.obj 'no wall 1'
+  run 1 "${given[@]}" --domain ring.obj --floor 48
+  says_why ring.obj 'facet 48 of 48'
+  run 1 "${given[@]}" --domain ring.cells --floor 0
+  says_why ring.cells 'not by numbers'
+  run 1 "${given[@]}" --direction 1,0,0
+  says_why block.mesh 'no wall 1'
+  run 1 "${given[@]}" --direction nan,0,0
+  { ring_cells && echo 5 5 5; } >apart.txt
+  run 1 "${given[@]}" --domain apart.txt
+  says_why apart.txt 'not connected'
+  { ring_cells && echo 3 3 0; } >touching.txt
+  run 1 "${given[@]}" --domain touching.txt
+  says_why touching.txt 'touches itself'
+  { ring_cells && echo 2 2 0; } >twice.txt
+  run 1 "${given[@]}" --domain twice.txt
+  says_why twice.txt 'twice'
+  cube >cube.off
+  run 1 "${given[@]}" --domain cube.off
+  says_why bent.mesh 'not one to one'
+}
+
 test_pillow() {
   run 0 parameterize block.mesh -o pillow --hexes 400 --pillow
   grep -q '"pillow": true' pillow/report.json || fail "the report does not say that there is a pillow"
@@ -327,6 +381,7 @@ test_unwritable_folder
 test_own_input
 test_good_block
 test_given_domain
+test_polycubes
 test_pillow
 test_threads
 test_partition

@@ -9,16 +9,37 @@
 #include <random>
 #include <vector>
 
-// A block [0, 2n + 1] x [0, 3] x [0, height] with n square holes [2k + 1, 2k + 2] x [1, 2] in a row, cut into
-// cubes of edge 1 / m and each cube into the six Kuhn tetrahedra. Bottom and top are labelled floor and ceiling,
-// the outer side is wall 0, hole k is wall k + 1.
+// The rectangle of squares [xmin, xmax) x [ymin, ymax) of a grid.
+struct Grid_box {
+  int xmin, ymin, xmax, ymax;
+
+  bool contains(int x, int y) const { return x >= xmin && x < xmax && y >= ymin && y < ymax; }
+  bool is_near(const Grid_box& b) const { // they meet or touch
+    return xmin <= b.xmax && b.xmin <= xmax && ymin <= b.ymax && b.ymin <= ymax;
+  }
+};
+
+// n square holes [2k + 1, 2k + 2] x [1, 2] in a row.
+inline std::vector<Grid_box> row_of_holes(int n) {
+  std::vector<Grid_box> holes;
+  for (int k = 0; k < n; ++k) holes.push_back({2 * k + 1, 1, 2 * k + 2, 2});
+  return holes;
+}
+
+// A block [0, width] x [0, depth] x [0, height] with n disjoint rectangular holes, cut into cubes of edge 1 / m and each
+// cube into the six Kuhn tetrahedra. Bottom and top are labelled floor and ceiling, the outer side is wall 0, hole k is
+// wall k + 1.
 template <typename Point>
 class Block_with_holes {
 public:
+  // [0, 2n + 1] x [0, 3] with n square holes in a row
   Block_with_holes(int holes, int m, int layers, double height = 1)
-      : m_holes(holes), m_per_unit(m), m_layers(layers), m_height(height) {
+      : Block_with_holes({0, 0, 2 * holes + 1, 3}, row_of_holes(holes), m, layers, height) {}
+
+  Block_with_holes(const Grid_box& base, const std::vector<Grid_box>& holes, int m, int layers, double height = 1)
+      : m_base(base), m_holes(holes), m_per_unit(m), m_layers(layers), m_height(height) {
     for (int x = 0; x < width(); ++x)
-      for (int y = 0; y < 3 * m; ++y)
+      for (int y = 0; y < depth(); ++y)
         if (!in_hole(x, y)) {
           for (int z = 0; z < layers; ++z) add_cube({x, y, z});
           add_bases(x, y);
@@ -31,16 +52,16 @@ public:
 private:
   using Site = std::array<int, 3>;
 
-  int width() const { return (2 * m_holes + 1) * m_per_unit; }
+  int width() const { return m_base.xmax * m_per_unit; }
+  int depth() const { return m_base.ymax * m_per_unit; }
 
   int hole(int x, int y) const {
-    const int i = x < 0 ? 0 : x / m_per_unit, j = y / m_per_unit;
-    return y >= 0 && j == 1 && i % 2 == 1 && i < 2 * m_holes + 1 ? i / 2 : -1;
+    const auto contains = [&](const Grid_box& h) { return x >= 0 && y >= 0 && h.contains(x / m_per_unit, y / m_per_unit); };
+    const auto found = std::find_if(m_holes.begin(), m_holes.end(), contains);
+    return found == m_holes.end() ? -1 : int(found - m_holes.begin());
   }
   bool in_hole(int x, int y) const { return hole(x, y) >= 0; }
-  bool is_solid(int x, int y) const {
-    return x >= 0 && x < width() && y >= 0 && y < 3 * m_per_unit && !in_hole(x, y);
-  }
+  bool is_solid(int x, int y) const { return x >= 0 && x < width() && y >= 0 && y < depth() && !in_hole(x, y); }
 
   std::size_t vertex(const Site& s) {
     const auto inserted = m_vertices.emplace(s, m_soup.points.size());
@@ -80,7 +101,7 @@ private:
 
   void add_walls() {
     for (int x = 0; x <= width(); ++x)
-      for (int y = 0; y <= 3 * m_per_unit; ++y)
+      for (int y = 0; y <= depth(); ++y)
         for (int z = 0; z < m_layers; ++z) {
           if (is_solid(x - 1, y) != is_solid(x, y)) add_square({x, y, z}, 1, 2, wall_label(x - 1, y, x, y));
           if (is_solid(x, y - 1) != is_solid(x, y)) add_square({x, y, z}, 0, 2, wall_label(x, y - 1, x, y));
@@ -88,7 +109,9 @@ private:
   }
   int wall_label(int x0, int y0, int x1, int y1) const { return 4 + std::max(hole(x0, y0), hole(x1, y1)); }
 
-  int m_holes, m_per_unit, m_layers;
+  Grid_box m_base;
+  std::vector<Grid_box> m_holes;
+  int m_per_unit, m_layers;
   double m_height;
   CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3<Point> m_soup;
   std::map<Site, std::size_t> m_vertices;

@@ -10,17 +10,22 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
+#include <CGAL/Volume_mesh_parameterization/Boundary_images_3.h>
 #include <CGAL/Volume_mesh_parameterization/Polycube_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Axis_aligned_surface.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Boundary_images.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary_triangles.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Facet_adjacency.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Splittable_mesh.h>
 #include <CGAL/Volume_mesh_parameterization/internal/check_coordinates.h>
 
-#include <CGAL/number_utils.h>
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 
+#include <algorithm>
+#include <cstddef>
 #include <optional>
 #include <sstream>
-#include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -67,21 +72,17 @@ public:
   Complexity: \f$ O(n \log n) \f$.
   */
   Status label_boundary(Mesh& mesh) const {
-    std::optional<Surface> source, target;
-    Status status = cover(
-        mesh, [](int) { return 0; }, source, target);
+    Status status = check_input(mesh);
     if (!status.ok()) return status;
-    const FT third = FT(1) / FT(3);
-    std::vector<int> labels, domain_labels;
-    for (Facet_index f : m_domain->mesh().boundary_facets())
-      domain_labels.push_back(m_domain->mesh().label(f));
-    for (std::size_t t = 0; t < source->number_of_triangles(); ++t)
-      labels.push_back(
-          domain_labels[target->find(source->point(t, {third, third, third}), source->normal(t), 0)]);
-    source->set_labels(labels);
-    target->set_labels(std::move(domain_labels));
-    status = check_cover(*source, *target);
-    for (std::size_t t = 0; status.ok() && t < labels.size(); ++t) mesh.set_label(Facet_index(t), labels[t]);
+    const Mesh& polycube = m_domain->mesh();
+    std::vector<int> labels(mesh.number_of_boundary_facets(), INTERIOR);
+    const std::vector<int> same(polycube.number_of_boundary_facets(), INTERIOR);
+    const std::vector<int> domain_labels = internal::boundary_labels(polycube);
+    status = check_cover(mesh, labels, same);
+    if (status.ok()) status = find_labels(mesh, domain_labels, labels);
+    if (status.ok()) status = check_cover(mesh, labels, domain_labels);
+    for (Facet_index f : mesh.boundary_facets())
+      if (status.ok()) mesh.set_label(f, labels[f]);
     return status;
   }
 
@@ -96,8 +97,29 @@ public:
   Complexity: \f$ O(n \log n) \f$.
   */
   Status build(const Mesh& mesh) {
-    return cover(
-        mesh, [](int label) { return int(label == FLOOR); }, m_source, m_target);
+    Status status = check_input(mesh);
+    if (!status.ok()) return status;
+    const std::vector<int> labels = floor_or_not(mesh), domain_labels = floor_or_not(m_domain->mesh());
+    status = check_cover(mesh, labels, domain_labels);
+    if (status.ok())
+      status = make_surface<Geom_traits>(mesh, refined<Point_3>(mesh, m_images), labels, m_source);
+    if (status.ok())
+      status =
+          make_surface<Geom_traits>(m_domain->mesh(), m_domain->mesh().points(), domain_labels, m_target);
+    return status;
+  }
+
+  /*!
+  hands out the images of the boundary vertices of `mesh`: those given, and those of barycentres of split simplices.
+
+  \param mesh the solid that `build()` has succeeded for
+    \param boundary receives the result
+  */
+  Status map_boundary(const Mesh& mesh, const std::vector<Point_3>& /*images*/,
+                      Boundary_images_3<Geom_traits>& boundary) const {
+    boundary = {};
+    boundary.images = refined<Point_3>(mesh, m_images);
+    return {};
   }
 
   /// returns the floor point of the polycube that `p`, on the floor of the solid, is mapped to.
@@ -114,59 +136,77 @@ public:
   /// @}
 
 private:
-  using Surface = internal::Axis_aligned_surface<Geom_traits>;
+  template <typename Traits>
+  using Surface_of = internal::Axis_aligned_surface<Traits>;
+  using Surface = Surface_of<Geom_traits>;
+  // In plain numbers barycentres are rounded, so that borders askew bend where they are split.
+  using Exact = std::conditional_t<std::is_floating_point<FT>::value,
+                                   Exact_predicates_exact_constructions_kernel, Geom_traits>;
 
-  // The vertices that are not barycentres of split simplices.
-  static std::size_t number_of_given(const Mesh& mesh) {
-    return mesh.number_of_vertices() - mesh.split_simplices().size();
+  Status check_input(const Mesh& mesh) const {
+    return m_domain->is_valid() ? internal::check_boundary_images(mesh, m_images)
+                                : Status(ERROR_BOUNDARY_MAP, "the polycube has not been built");
   }
 
-  std::vector<Point_3> images_of(const Mesh& mesh) const {
-    std::vector<Point_3> images = m_images;
-    images.resize(number_of_given(mesh), Point_3(0, 0, 0));
+  // The points of all vertices, of which those of the given ones on the boundary are known.
+  template <typename Point>
+  static std::vector<Point> refined(const Mesh& mesh, const std::vector<Point_3>& known) {
+    std::vector<Point> points(internal::number_of_given_vertices(mesh), Point(0, 0, 0));
+    for (std::size_t v = 0; v < (std::min)(points.size(), known.size()); ++v)
+      if (internal::has_finite_coordinates(known[v]))
+        points[v] = Point(known[v].x(), known[v].y(), known[v].z());
     for (const auto& simplex : mesh.split_simplices())
-      images.push_back(internal::barycentre(images, simplex));
-    return images;
+      points.push_back(internal::barycentre(points, simplex));
+    return points;
   }
 
-  // Takes the boundaries of the solid and of the polycube, facet by facet, labelled by the class of their labels, and
-  // checks that one covers the other once.
-  template <typename Class>
-  Status cover(const Mesh& mesh, const Class& class_of, std::optional<Surface>& source,
-               std::optional<Surface>& target) const {
-    if (!m_domain->is_valid()) return {ERROR_BOUNDARY_MAP, "the polycube has not been built"};
-    Status status = check_images(mesh);
-    if (status.ok()) status = boundary(mesh, images_of(mesh), class_of, source);
-    if (status.ok()) status = boundary(m_domain->mesh(), m_domain->mesh().points(), class_of, target);
-    return status.ok() ? check_cover(*source, *target) : status;
-  }
-
-  template <typename Class>
-  static Status boundary(const Mesh& mesh, const std::vector<Point_3>& points, const Class& class_of,
-                         std::optional<Surface>& surface) {
-    std::vector<typename Surface::Triangle> triangles;
+  static std::vector<int> floor_or_not(const Mesh& mesh) {
     std::vector<int> labels;
+    for (Facet_index f : mesh.boundary_facets()) labels.push_back(mesh.label(f) == FLOOR);
+    return labels;
+  }
+
+  // Takes the boundary facets with the vertices at `points`.
+  template <typename Traits>
+  static Status make_surface(const Mesh& mesh, const std::vector<typename Traits::Point_3>& points,
+                             std::vector<int> labels, std::optional<Surface_of<Traits>>& surface) {
+    std::vector<typename Surface_of<Traits>::Triangle> triangles;
     const Status status = internal::boundary_triangles(mesh, points, ERROR_BOUNDARY_MAP, triangles);
+    if (status.ok()) surface.emplace(std::move(triangles), std::move(labels));
+    return status;
+  }
+
+  // Gives each boundary facet of `mesh` the label of the facet of the polycube that its image's barycentre lies in.
+  Status find_labels(const Mesh& mesh, const std::vector<int>& domain_labels,
+                     std::vector<int>& labels) const {
+    std::optional<Surface> source, target;
+    const std::vector<int> same(domain_labels.size(), INTERIOR);
+    Status status = make_surface<Geom_traits>(mesh, refined<Point_3>(mesh, m_images), labels, source);
+    if (status.ok())
+      status = make_surface<Geom_traits>(m_domain->mesh(), m_domain->mesh().points(), same, target);
     if (!status.ok()) return status;
-    for (Facet_index f : mesh.boundary_facets()) labels.push_back(class_of(mesh.label(f)));
-    surface.emplace(std::move(triangles), std::move(labels));
+    const FT third = FT(1) / FT(3);
+    for (std::size_t t = 0; t < labels.size(); ++t)
+      labels[t] =
+          domain_labels[target->find(source->point(t, {third, third, third}), source->normal(t), INTERIOR)];
     return {};
   }
 
-  Status check_images(const Mesh& mesh) const {
-    for (Facet_index f : mesh.boundary_facets())
-      for (Vertex_index v : mesh.vertices(f)) {
-        if (v >= number_of_given(mesh)) continue;
-        if (v >= m_images.size())
-          return {ERROR_BOUNDARY_MAP, "vertex " + std::to_string(v) + " has no image"};
-        if (!internal::has_finite_coordinates(m_images[v]))
-          return {ERROR_COORDINATE_NOT_FINITE, "the image of vertex " + std::to_string(v)};
-      }
-    return {};
+  // Checks that the images of the facets cover those of the polycube with the same label once.
+  Status check_cover(const Mesh& mesh, const std::vector<int>& labels,
+                     const std::vector<int>& domain_labels) const {
+    using Point = typename Exact::Point_3;
+    const Mesh& polycube = m_domain->mesh();
+    std::optional<Surface_of<Exact>> source, target;
+    Status status = make_surface<Exact>(mesh, refined<Point>(mesh, m_images), labels, source);
+    if (status.ok())
+      status =
+          make_surface<Exact>(polycube, refined<Point>(polycube, polycube.points()), domain_labels, target);
+    return status.ok() ? compare(*source, *target) : status;
   }
 
-  static Status check_cover(const Surface& source, const Surface& target) {
-    using Chain = internal::Border_chain<Geom_traits>;
+  static Status compare(const Surface_of<Exact>& source, const Surface_of<Exact>& target) {
+    using Chain = internal::Border_chain<Exact>;
     const Chain a(source), b(target);
     const auto* difference = Chain::difference(a, b);
     if (!difference) return {};

@@ -10,6 +10,7 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
+#include <CGAL/Volume_mesh_parameterization/Boundary_images_3.h>
 #include <CGAL/Volume_mesh_parameterization/Default_solver_traits_3.h>
 #include <CGAL/Volume_mesh_parameterization/Direct_product_3.h>
 #include <CGAL/Volume_mesh_parameterization/Floor_map_2.h>
@@ -67,6 +68,19 @@ public:
       status = internal::run_stage(visitor, "map the vertices",
                                    [&] { return m_product_map->template vertex_images<ConcurrencyTag>(m_vertex_images); });
     return status;
+  }
+
+  /*!
+  maps the boundary piecewise linearly by the floor map's function of this name, and the vertices once more, as the floor map
+  may have changed. `make_piecewise_linear()` calls it.
+
+  \pre `run()` has succeeded
+  \returns the failure of the floor map; then nothing is changed
+  */
+  template <typename ConcurrencyTag = Sequential_tag>
+  Status map_boundary(Boundary_images_3<GeomTraits>& boundary) {
+    const Status status = m_floor_map.map_boundary(this->mesh(), m_vertex_images, boundary);
+    return status.ok() ? m_product_map->template vertex_images<ConcurrencyTag>(m_vertex_images) : status;
   }
 
   /// \name Results

@@ -13,10 +13,12 @@
 #include <CGAL/Volume_mesh_parameterization/Compact_tetrahedral_mesh_3.h>
 #include <CGAL/Volume_mesh_parameterization/Error_code.h>
 #include <CGAL/Volume_mesh_parameterization/Base_point_3.h>
+#include <CGAL/Volume_mesh_parameterization/Floor_map_options.h>
 #include <CGAL/Volume_mesh_parameterization/Prism_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Bucket_grid_2.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Floor_map_builder.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Incidence_lists.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Prism_boundary_mapper.h>
 #include <CGAL/Volume_mesh_parameterization/internal/triangle_weights_2.h>
 
 #include <CGAL/number_utils.h>
@@ -36,12 +38,13 @@ namespace Volume_mesh_parameterization {
 \ingroup PkgVolumeMeshParameterizationMap
 
 is a piecewise linear one-to-one map from the floor of a solid to the base of a prism, a rectangle with as many
-rectangular holes in a row as the floor has holes.
+rectangular holes as the floor has holes, which may lie anywhere.
 
-The floor is cut into four trapezoids for each hole (one piece without holes), each trapezoid is embedded by the
-theorem of Tutte and Floater with mean value weights (where rounding spoils that, with weights adapted to the stretch), then
-the whole is relaxed. Its triangulation is that of the floor
-with some edges bisected. It is checked by exact signs: each triangle is positively oriented and the border runs
+The floor is cut by lines that part the holes, each from side to side of a cell, and each cell around its hole into four
+trapezoids (one piece without holes). Each piece is embedded by the theorem of Tutte and Floater with mean value weights
+(where rounding spoils that, with weights adapted to the stretch), then the whole is relaxed: the distortion is least for
+sides that may slide, planes of sides included. Sides of holes that are nearly in one plane share it. The triangulation is
+that of the floor with some edges bisected. It is checked by exact signs: each triangle is positively oriented and the border runs
 monotonically along the sides, so the map is one to one. The floor is seen from inside: together with w upwards the map
 preserves orientation. With an exact number type `image()` and `preimage()` are inverse to the bit.
 
@@ -62,24 +65,56 @@ public:
   /// \name Construction
   /// @{
 
+  /// \param options what the domain is to be like
+  explicit Floor_map_2(const Floor_map_options& options = Floor_map_options()) : m_options(options) {}
+
   /// maps the floor of `mesh`, whose partition is valid. Near linear, but for a sparse factorization in the plane.
-  /// The outer rim is the longest one; each rim of the domain carries the label of the wall that meets it. The area of
-  /// the base is about that of the floor, the height of the prism the volume of `mesh` over the mean area of floor
-  /// and ceiling.
+  /// The outer rim is the longest one; each rim of the domain carries the label of the wall that meets it. By default the
+  /// area of the base is about that of the floor, the height of the prism the volume of `mesh` over the mean area of
+  /// floor and ceiling.
   /// \returns `ERROR_NUMBER_OF_PATCHES` (no floor), `ERROR_NON_MANIFOLD`, `ERROR_PATCH_NOT_A_SURFACE`,
   /// `ERROR_PATCH_NOT_CONNECTED` or `ERROR_PATCH_TOPOLOGY` if the floor is no disk with holes, `ERROR_CANNOT_SOLVE`,
-  /// `ERROR_FLOOR_MAP` if triangles are flipped
+  /// `ERROR_FLOOR_MAP` if triangles are flipped, `ERROR_WRONG_PARAMETER` if the options ask for sizes that are negative, no
+  /// numbers or no integers, or too small for holes with integer planes
   Status build(const Mesh& mesh) {
-    *this = Floor_map_2();
-    internal::Floor_map_builder<GeomTraits> builder(mesh);
+    *this = Floor_map_2(m_options);
+    internal::Floor_map_builder<GeomTraits> builder(mesh, m_options);
     const Status status = builder.build();
     if (!status.ok()) return status;
-    m_surface = std::move(builder.surface);
+    m_surface = std::move(builder.floor.surface);
     m_mesh_vertices = std::move(builder.mesh_vertices);
-    for (const auto& p : builder.images) m_images.push_back(Point_2(p.x(), p.y()));
-    set_domain(builder, mesh);
-    index_triangles(mesh.number_of_boundary_facets());
-    index_border();
+    for (const auto& p : builder.floor.images) m_images.push_back(Point_2(p.x(), p.y()));
+    set_domain(builder);
+    index_parts(mesh.number_of_boundary_facets());
+    index_images();
+    return {};
+  }
+
+  /*!
+  extends the floor map to the whole boundary of `mesh`, for which `build()` has succeeded, by construction: the corners of
+  the ceiling and the creases of the walls follow `images`, the ceiling is cut and embedded like the floor, then each
+  rectangle of the walls; at last the whole surface is relaxed, with vertices that slide and planes of the domain that move,
+  unless the options fix them. The floor map and the domain become those of the result.
+
+  \param mesh the solid
+  \param images those of all its vertices under the map along curves; only where the boundary is cut depends on them
+  \param boundary receives the result
+  \returns `ERROR_BOUNDARY_MAP` or `ERROR_CANNOT_SOLVE`; then nothing is changed
+
+  Complexity: near linear, but for sparse factorizations in the plane.
+  */
+  Status map_boundary(const Mesh& mesh, const std::vector<typename GeomTraits::Point_3>& images,
+                      Boundary_images_3<GeomTraits>& boundary) {
+    std::vector<internal::Double_kernel::Point_3> picture;
+    for (const auto& p : images) picture.push_back(internal::approximate(p));
+    internal::Prism_boundary_mapper<Floor_map_2> mapper(mesh, *this, m_options, std::move(picture));
+    const Status status = mapper.run();
+    if (!status.ok()) return status;
+    mapper.write_to(boundary);
+    for (std::size_t v = 0; v < m_images.size(); ++v)
+      m_images[v] = Point_2(mapper.floor_image(v).x(), mapper.floor_image(v).y());
+    m_domain = mapper.domain();
+    index_images();
     return {};
   }
 
@@ -102,6 +137,8 @@ public:
   }
   /// returns the image of vertex `v` of the refined floor.
   const Point_2& image(std::size_t v) const { return m_images[v]; }
+  /// returns the ends of the edge of the refined floor that vertex `v` has bisected, if it is no vertex of the mesh.
+  const std::array<std::uint32_t, 2>& bisected_edge(std::size_t v) const { return m_surface.split_edge(v); }
   /// returns the vertex of the mesh that vertex `v` of the refined floor is; invalid if it is the midpoint of an edge.
   Vertex_index mesh_vertex(std::size_t v) const {
     return v < m_mesh_vertices.size() ? m_mesh_vertices[v] : Vertex_index();
@@ -218,36 +255,26 @@ private:
     return false;
   }
 
-  void set_domain(const internal::Floor_map_builder<GeomTraits>& builder, const Mesh& mesh) {
-    const std::vector<Rectangle_2>& r = builder.rectangles;
-    m_domain = Domain(r[0], std::vector<Rectangle_2>(r.begin() + 1, r.end()), mean_height(mesh));
+  void set_domain(const internal::Floor_map_builder<GeomTraits>& builder) {
+    const std::vector<Rectangle_2>& r = builder.floor.rectangles;
+    m_domain = Domain(r[0], std::vector<Rectangle_2>(r.begin() + 1, r.end()), builder.height);
     for (std::size_t rim = 0; rim < r.size(); ++rim) m_domain.set_wall_label(rim, builder.wall_labels[rim]);
   }
 
-  static double mean_height(const Mesh& mesh) {
-    const auto point = [&](Vertex_index v) { return internal::approximate(mesh.point(v)); };
-    double volume = 0, bases = 0;
-    for (Cell_index c : mesh.cells()) {
-      const auto& v = mesh.cell(c);
-      volume += CGAL::abs(CGAL::volume(point(v[0]), point(v[1]), point(v[2]), point(v[3])));
-    }
-    for (Facet_index f : mesh.boundary_facets()) {
-      const auto v = mesh.vertices(f);
-      if (mesh.label(f) == FLOOR || mesh.label(f) == CEILING)
-        bases += std::sqrt(CGAL::squared_area(point(v[0]), point(v[1]), point(v[2])));
-    }
-    return 2 * volume / bases;
-  }
-
-  void index_triangles(std::size_t number_of_facets) {
+  void index_parts(std::size_t number_of_facets) {
     const auto parent_of = [this](std::uint32_t t) { return std::array<Facet_index, 1>{parent(t)}; };
     m_parts = internal::Incidence_lists<Facet_index, std::uint32_t>(number_of_facets, number_of_triangles(),
                                                                     parent_of);
+  }
+
+  void index_images() {
     const Rectangle_2& box = m_domain.outer();
     m_grid = internal::Bucket_grid_2(box.xmin, box.ymin, box.xmax, box.ymax, m_surface.triangles(), m_images);
+    index_border();
   }
 
   void index_border() {
+    m_border.clear();
     for (std::uint32_t h = 0; h < m_surface.number_of_half_edges(); ++h) {
       if (!m_surface.is_border(h)) continue;
       const Point_2 &p = m_images[m_surface.source(h)], &q = m_images[m_surface.target(h)];
@@ -260,6 +287,7 @@ private:
     });
   }
 
+  Floor_map_options m_options;
   Domain m_domain;
   internal::Refined_surface m_surface;
   std::vector<Vertex_index> m_mesh_vertices; // of the first vertices of the refined floor

@@ -35,12 +35,23 @@ struct Rectangle_2 {
   double width() const { return xmax - xmin; }
   double height() const { return ymax - ymin; }
   double area() const { return width() * height(); }
+  /// returns `xmin` or `ymin`, for axis 0 or 1.
+  double& low(int axis) { return axis == 0 ? xmin : ymin; }
+  double low(int axis) const { return axis == 0 ? xmin : ymin; }
+  /// returns `xmax` or `ymax`, for axis 0 or 1.
+  double& high(int axis) { return axis == 0 ? xmax : ymax; }
+  double high(int axis) const { return axis == 0 ? xmax : ymax; }
   /// returns the corners counterclockwise, that of least coordinates first.
   std::array<std::array<double, 2>, 4> corners() const {
     return {{{xmin, ymin}, {xmax, ymin}, {xmax, ymax}, {xmin, ymax}}};
   }
 
   bool operator==(const Rectangle_2& r) const { return corners() == r.corners(); }
+
+  /// returns whether the rectangles share a point.
+  bool meets(const Rectangle_2& r) const {
+    return xmin <= r.xmax && r.xmin <= xmax && ymin <= r.ymax && r.ymin <= ymax;
+  }
 
   /// returns on which side of the rectangle a point is; exact if the comparison of its coordinates with a `double` is.
   template <typename Point_2>
@@ -54,7 +65,7 @@ struct Rectangle_2 {
 /*!
 \ingroup PkgVolumeMeshParameterizationMap
 
-is the simplest domain: a rectangle with rectangular holes in a row, times the interval [0, height]. The planes of its
+is the simplest domain: a rectangle with disjoint rectangular holes, times the interval [0, height]. The planes of its
 sides are any real numbers.
 
 Each rim of the base, number 0 the outer one and number 1 + k that of hole k, carries the label of a wall.
@@ -81,16 +92,17 @@ public:
     for (std::size_t rim = 0; rim < m_rims.size(); ++rim) m_wall_labels.push_back(FIRST_WALL + int(rim));
   }
 
-  /// returns whether all rectangles and the height are positive, and the holes are sorted by x, disjoint and strictly
-  /// inside.
+  /// returns whether all rectangles and the height are positive, and the holes are strictly inside and do not even touch.
   bool is_valid() const {
     if (m_rims.empty() || !(m_height > 0) || !is_positive(outer())) return false;
-    double left = outer().xmin;
-    for (std::size_t k = 0; k < number_of_holes(); left = hole(k++).xmax)
-      if (!is_positive(hole(k)) || !(hole(k).xmin > left) || !(hole(k).ymin > outer().ymin) ||
-          !(hole(k).ymax < outer().ymax))
-        return false;
-    return left < outer().xmax;
+    std::vector<Rectangle_2> holes(m_rims.begin() + 1, m_rims.end());
+    if (!std::all_of(holes.begin(), holes.end(), [this](const Rectangle_2& hole) { return is_inside(hole); })) return false;
+    std::sort(holes.begin(), holes.end(),
+              [](const Rectangle_2& a, const Rectangle_2& b) { return a.xmin < b.xmin; });
+    for (std::size_t i = 0; i < holes.size(); ++i)
+      for (std::size_t j = i + 1; j < holes.size() && holes[j].xmin <= holes[i].xmax; ++j)
+        if (holes[i].meets(holes[j])) return false;
+    return true;
   }
 
   std::size_t number_of_rims() const { return m_rims.size(); }
@@ -163,6 +175,11 @@ public:
 
 private:
   static bool is_positive(const Rectangle_2& r) { return r.width() > 0 && r.height() > 0; }
+
+  bool is_inside(const Rectangle_2& hole) const {
+    return is_positive(hole) && hole.xmin > outer().xmin && hole.xmax < outer().xmax && hole.ymin > outer().ymin &&
+           hole.ymax < outer().ymax;
+  }
 
   std::vector<Rectangle_2> m_rims;
   std::vector<int> m_wall_labels;

@@ -15,6 +15,7 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Vertex_stars.h>
 #include <CGAL/Volume_mesh_parameterization/internal/for_each_index.h>
 
+#include <cstddef>
 #include <utility>
 #include <vector>
 
@@ -48,7 +49,8 @@ public:
   using Point_3 = typename GeomTraits::Point_3;
 
   /// keeps references to what the arguments refer to, and to `floor_map`.
-  Product_map_3(const Curves& curves, const Floor_map& floor_map) : m_curves(curves), m_floor_map(&floor_map) {}
+  Product_map_3(const Curves& curves, const Floor_map& floor_map)
+      : m_curves(curves), m_floor_map(&floor_map) {}
 
   const Curves& curves() const { return m_curves; }
   const Floor_map& floor_map() const { return *m_floor_map; }
@@ -89,35 +91,58 @@ public:
     const Status status = curve_over(foot, curve);
     if (!status.ok()) return status;
     const FT total = curve.total_level();
-    for (std::size_t k = 0; k < layers; ++k) points.push_back(curve.at(total * FT(int(k)) / FT(int(layers))).point(mesh()));
+    for (std::size_t k = 0; k < layers; ++k)
+      points.push_back(curve.at(total * FT(int(k)) / FT(int(layers))).point(mesh()));
     points.push_back(curve.segments().back().end.point(mesh()));
     return {};
   }
 
-  /*!
-  computes the images of all vertices of M.
+  /// \name Batches
+  /// `ConcurrencyTag` is `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; the result does not depend on it.
+  /// If `FT` is no floating point type, one thread does all. If a point fails, the failure of the first one that does is
+  /// returned, and `result` is left as it was.
+  /// @{
 
-  \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; the result does not depend on
-  it. If `FT` is no floating point type, one thread does all.
-
-  \returns `ERROR_CURVE_LOST` of the first vertex whose curve is lost, for uncertified curves only; then `images` is left
-  as it was
-  */
+  /// computes \f$ \varphi \f$ at points.
+  /// \returns `ERROR_CURVE_LOST`, for uncertified curves only
   template <typename ConcurrencyTag = Sequential_tag>
-  Status vertex_images(std::vector<Point_3>& images) const {
-    const internal::Vertex_stars stars(mesh());
-    std::vector<Point_3> result(mesh().number_of_vertices());
-    using Tag = internal::Concurrency_for<ConcurrencyTag, FT>;
-    const Status status = internal::try_each_index<Tag>(result.size(), [&](std::size_t i) {
-      const Vertex_index v(i);
-      return image(location(*stars.cells(v).begin(), v), result[v]);
-    });
-    if (status.ok()) images = std::move(result);
-    return status;
+  Status images(const std::vector<Location>& points, std::vector<Point_3>& result) const {
+    return map_each<ConcurrencyTag>(points.size(), result,
+                                    [&](std::size_t i, Point_3& q) { return image(points[i], q); });
   }
+
+  /// computes \f$ \varphi^{-1} \f$ at points.
+  /// \returns `ERROR_OUTSIDE`; `ERROR_CURVE_LOST`, for uncertified curves only
+  template <typename ConcurrencyTag = Sequential_tag>
+  Status preimages(const std::vector<Point_3>& points, std::vector<Location>& result) const {
+    return map_each<ConcurrencyTag>(points.size(), result,
+                                    [&](std::size_t i, Location& p) { return preimage(points[i], p); });
+  }
+
+  /// computes the images of all vertices of M.
+  /// \returns `ERROR_CURVE_LOST`, for uncertified curves only
+  template <typename ConcurrencyTag = Sequential_tag>
+  Status vertex_images(std::vector<Point_3>& result) const {
+    const internal::Vertex_stars stars(mesh());
+    return map_each<ConcurrencyTag>(mesh().number_of_vertices(), result, [&](std::size_t i, Point_3& q) {
+      const Vertex_index v(i);
+      return image(location(*stars.cells(v).begin(), v), q);
+    });
+  }
+
+  /// @}
 
 private:
   const Compact_tetrahedral_mesh_3<GeomTraits>& mesh() const { return m_curves.mesh(); }
+
+  template <typename ConcurrencyTag, typename Result, typename Map>
+  static Status map_each(std::size_t n, std::vector<Result>& result, const Map& map) {
+    std::vector<Result> values(n);
+    using Tag = internal::Concurrency_for<ConcurrencyTag, FT>;
+    const Status status = internal::try_each_index<Tag>(n, [&](std::size_t i) { return map(i, values[i]); });
+    if (status.ok()) result = std::move(values);
+    return status;
+  }
 
   Location location(Cell_index c, Vertex_index v) const {
     Location result{c, {FT(0), FT(0), FT(0), FT(0)}};

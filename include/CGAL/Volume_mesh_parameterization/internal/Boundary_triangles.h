@@ -14,6 +14,8 @@
 #include <CGAL/Volume_mesh_parameterization/Error_code.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Axis_aligned_surface.h>
 
+#include <CGAL/Kernel_traits.h>
+
 #include <array>
 #include <string>
 #include <vector>
@@ -24,14 +26,15 @@ namespace internal {
 
 // The boundary facets with the vertices at `points`, in the order of their numbers. Fails if one is in no plane orthogonal
 // to an axis, with `error`.
-template <typename GeomTraits>
+template <typename GeomTraits, typename Point>
 Status boundary_triangles(const Compact_tetrahedral_mesh_3<GeomTraits>& mesh,
-                          const std::vector<typename GeomTraits::Point_3>& points, Error_code error,
-                          std::vector<std::array<typename GeomTraits::Point_3, 3>>& triangles) {
+                          const std::vector<Point>& points, Error_code error,
+                          std::vector<std::array<Point, 3>>& triangles) {
+  using Traits = typename Kernel_traits<Point>::Kernel;
   for (Facet_index f : mesh.boundary_facets()) {
     const auto v = mesh.vertices(f);
     triangles.push_back({points[v[0]], points[v[1]], points[v[2]]});
-    if (!Axis_aligned_surface<GeomTraits>::normal(triangles.back()).exists())
+    if (!Axis_aligned_surface<Traits>::normal(triangles.back()).exists())
       return {error, "the boundary triangle with vertices " + std::to_string(v[0]) + ", " +
                          std::to_string(v[1]) + ", " + std::to_string(v[2]) +
                          " is flat, or orthogonal to no axis"};

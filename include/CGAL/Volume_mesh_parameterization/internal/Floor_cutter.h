@@ -13,13 +13,15 @@
 #include <CGAL/Volume_mesh_parameterization/Error_code.h>
 #include <CGAL/Volume_mesh_parameterization/Prism_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Floor_rim.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Rectangle_slicing.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Refined_surface.h>
 #include <CGAL/Volume_mesh_parameterization/internal/shortest_path.h>
 
+#include <CGAL/number_utils.h>
+
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <string>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -28,12 +30,12 @@ namespace Volume_mesh_parameterization {
 namespace internal {
 
 /*
-Cuts the floor into four trapezoids for each hole, chooses the rectangles, and fixes the images of the cuts.
+Cuts the floor into pieces, one without holes or four trapezoids for each hole, and fixes the images of the cuts.
 
-A chain of paths from the left end of the outer rim through all holes to its right end, the spine, halves the floor
-into two disks: in these, every further path has only one way to go, whatever the shape of the floor. It is given up in
-the end. Between two holes a separator runs from the bottom through a vertex of the spine to the top; around each hole
-four paths join its corners to those of its cell.
+The rectangles of the rims are sliced until each hole is alone in its cell, and the floor is cut accordingly. To part two
+groups of holes, all of one group are joined to their side of the cell by a tree of paths, all others to the opposite
+side. Between the trees the separator has only one way to go, whatever the shape of the floor; then the trees are given
+up. Nor has a path from the corner of a hole to that of its cell a choice, while the hole is joined to two sides.
 */
 class Floor_cutter {
 public:
@@ -41,23 +43,23 @@ public:
   using Path = std::vector<Id>;
   using Point_2 = Double_kernel::Point_2;
 
-  // rims[0] is the outer one, then the holes from left to right, all with corners
-  Floor_cutter(const std::vector<Floor_rim>& rims, Refined_surface& surface)
-      : m_rims(rims), m_number_of_holes(rims.size() - 1), m_surface(surface) {}
+  // rims[0] is the outer one; all have corners; the rectangles are separable
+  Floor_cutter(const std::vector<Rectangle_2>& rectangles, std::vector<Floor_rim>& rims,
+               Refined_surface& surface)
+      : m_rectangles(rectangles), m_rims(rims), m_surface(surface) {}
 
   Status cut() {
-    Status status = cut_spine();
-    if (status.ok()) status = choose_rectangles();
-    if (status.ok()) status = cut_separators();
-    if (status.ok()) status = cut_corners();
-    for (const Path& path : m_spine) m_surface.uncut(path);
-    return status;
+    Cell cell{m_rectangles[0], {0, 1, 2, 3}, {}, std::vector<std::size_t>(m_rims.size() - 1)};
+    std::iota(cell.holes.begin(), cell.holes.end(), 1);
+    const auto corners = m_rectangles[0].corners();
+    for (int k = 0; k < 4; ++k) {
+      cell.corners[k] = m_rims[0].corner(k);
+      Path path = m_rims[0].side(k);
+      if (!runs_upwards(k)) std::reverse(path.begin(), path.end());
+      add_line(k % 2, corners[k][1 - k % 2], path, m_rectangles[0]);
+    }
+    return cut_cell(cell);
   }
-
-  const std::vector<Rectangle_2>& rectangles() const { return m_rectangles; }
-
-  // Replaces the rectangles of the rims; the holes remain in a row.
-  void set_rectangles(const std::vector<Rectangle_2>& rectangles) { m_rectangles = rectangles; }
 
   // Places the vertices on the cuts: uniformly by length on each straight segment.
   void place(std::vector<Point_2>& positions, std::vector<char>& is_fixed) const {
@@ -72,174 +74,186 @@ public:
         is_fixed[path[i]] = 1;
       }
     };
-    for (std::size_t r = 0; r < m_rims.size(); ++r)
-      for (int k = 0; k < 4; ++k) place_side(r, k, place_path);
-    for (const Path& path : m_separators) place_path(path, positions[path.front()], positions[path.back()]);
+    for (const Line& line : m_lines)
+      for (std::size_t i = 1; i < line.stops.size(); ++i)
+        place_path(line.between(line.stops[i - 1].vertex, line.stops[i].vertex),
+                   line.point(line.stops[i - 1].coordinate), line.point(line.stops[i].coordinate));
+    for (std::size_t r = 1; r < m_rims.size(); ++r) {
+      const auto c = m_rectangles[r].corners();
+      for (int k = 0; k < 4; ++k)
+        place_path(m_rims[r].side(k), Point_2(c[k][0], c[k][1]),
+                   Point_2(c[(k + 1) % 4][0], c[(k + 1) % 4][1]));
+    }
     for (const Path& path : m_corner_paths) place_path(path, positions[path.front()], positions[path.back()]);
   }
 
 private:
-  const Floor_rim& outer() const { return m_rims[0]; }
-  const Floor_rim& hole(std::size_t k) const { return m_rims[k + 1]; }
+  // A vertex of a line where it ends or others end on it. The images of two stops fix those of the vertices between them.
+  struct Stop {
+    double coordinate;
+    Id vertex;
+  };
+
+  // A side of the outer rim or a separator: an axis-parallel segment of the plane.
+  struct Line {
+    int axis;                // along which it runs
+    double position;         // the other coordinate
+    Path path;               // in increasing direction
+    std::vector<Stop> stops; // likewise
+
+    Point_2 point(double coordinate) const {
+      return axis == 0 ? Point_2(coordinate, position) : Point_2(position, coordinate);
+    }
+    std::size_t place(Id v) const { return std::find(path.begin(), path.end(), v) - path.begin(); }
+    Path between(Id v, Id w) const {
+      const auto ends = std::minmax({place(v), place(w)});
+      return {path.begin() + ends.first, path.begin() + ends.second + 1};
+    }
+  };
+
+  // A rectangle of the plane. Side k, from corner k to corner k + 1, is a part of a line: bottom, right, top, left.
+  struct Cell {
+    Rectangle_2 box;
+    std::array<std::size_t, 4> lines;
+    std::array<Id, 4> corners;
+    std::vector<std::size_t> holes; // their rims
+
+    void replace_side(int k, std::size_t line, const std::array<Id, 2>& ends) {
+      lines[k] = line;
+      corners[k] = ends[runs_upwards(k) ? 0 : 1];
+      corners[(k + 1) % 4] = ends[runs_upwards(k) ? 1 : 0];
+    }
+  };
+
+  static bool runs_upwards(int side) { return side < 2; }
+  static int low_side(int axis) { return axis == 0 ? 3 : 0; }
+  static int high_side(int axis) { return axis == 0 ? 1 : 2; }
+
+  void add_line(int axis, double position, const Path& path, const Rectangle_2& box) {
+    m_lines.push_back({axis, position, path, {{box.low(axis), path.front()}, {box.high(axis), path.back()}}});
+  }
+
+  Status cut_cell(const Cell& cell) {
+    if (cell.holes.empty()) return {};
+    if (cell.holes.size() == 1) return cut_corners(cell);
+    const Slice slice = widest_slice(m_rectangles, cell.holes);
+    const int axis = slice.axis;
+    const double position = slice.position();
+    std::array<Id, 2> ends{};
+    Status status = cut_separator(cell, slice, position, ends);
+    if (!status.ok()) return status;
+    Cell low = cell, high = cell;
+    low.box.high(axis) = high.box.low(axis) = position;
+    low.holes = slice.low;
+    high.holes = slice.high;
+    low.replace_side(high_side(axis), m_lines.size() - 1, ends);
+    high.replace_side(low_side(axis), m_lines.size() - 1, ends);
+    status = cut_cell(low);
+    return status.ok() ? cut_cell(high) : status;
+  }
+
+  Status cut_separator(const Cell& cell, const Slice& slice, double position, std::array<Id, 2>& ends) {
+    const int along = 1 - slice.axis;
+    ends[0] = stop(m_lines[cell.lines[low_side(along)]], position);
+    ends[1] = stop(m_lines[cell.lines[high_side(along)]], position);
+    std::vector<Path> trees, separator;
+    Status status = join(inner_side(cell, low_side(slice.axis)), slice.low, trees);
+    if (status.ok()) status = join(inner_side(cell, high_side(slice.axis)), slice.high, trees);
+    if (status.ok()) status = add_path({ends[0]}, {ends[1]}, separator);
+    for (const Path& path : trees) m_surface.uncut(path);
+    if (status.ok()) add_line(along, position, separator[0], cell.box);
+    return status;
+  }
+
+  // Joins the holes to a side, the nearest to what is joined first.
+  Status join(Path joined, std::vector<std::size_t> holes, std::vector<Path>& trees) {
+    while (!holes.empty()) {
+      Path targets;
+      for (std::size_t hole : holes)
+        targets.insert(targets.end(), m_rims[hole].loop.begin(), m_rims[hole].loop.end());
+      const Status status = add_path(joined, targets, trees);
+      if (!status.ok()) return status;
+      const auto nearest = std::find_if(holes.begin(), holes.end(), [&](std::size_t hole) {
+        const Path& loop = m_rims[hole].loop;
+        return std::find(loop.begin(), loop.end(), trees.back().back()) != loop.end();
+      });
+      joined.insert(joined.end(), m_rims[*nearest].loop.begin(), m_rims[*nearest].loop.end());
+      holes.erase(nearest);
+    }
+    return {};
+  }
+
+  Status cut_corners(const Cell& cell) {
+    const Floor_rim& hole = m_rims[cell.holes[0]];
+    std::vector<Path> belt;
+    Status status = add_path(inner_side(cell, low_side(0)), {hole.left()}, belt);
+    if (status.ok()) status = add_path({hole.right()}, inner_side(cell, high_side(0)), belt);
+    for (int k = 0; k < 4 && status.ok(); ++k)
+      status = add_path({hole.corner(k)}, {cell.corners[k]}, m_corner_paths);
+    for (const Path& path : belt) m_surface.uncut(path);
+    return status;
+  }
 
   Status add_path(const Path& sources, const Path& targets, std::vector<Path>& paths) {
-    paths.push_back(shortest_path(m_surface, sources, targets));
-    if (paths.back().empty()) return {ERROR_FLOOR_MAP, "no path joins two of its rims"};
-    m_surface.cut(paths.back());
+    const Path path = shortest_path(m_surface, sources, targets);
+    if (path.empty()) return {ERROR_FLOOR_MAP, "no path joins two of its rims"};
+    paths.push_back(path);
+    m_surface.cut(path);
     m_surface.split_chords();
     return {};
   }
 
-  Status cut_spine() {
-    Status status;
-    for (std::size_t k = 0; m_number_of_holes > 0 && k <= m_number_of_holes && status.ok(); ++k) {
-      const Id from = k == 0 ? outer().left() : hole(k - 1).right();
-      status = add_path({from}, {k == m_number_of_holes ? outer().right() : hole(k).left()}, m_spine);
+  // The vertices of a side without its ends, at least one.
+  Path inner_side(const Cell& cell, int k) {
+    Line& line = m_lines[cell.lines[k]];
+    Path side = line.between(cell.corners[k], cell.corners[(k + 1) % 4]);
+    if (side.size() == 2) {
+      bisect(line, line.place(side[0]));
+      side = line.between(side[0], side[1]);
     }
-    return status;
+    return {side.begin() + 1, side.end() - 1};
   }
 
-  // The mean length of two opposite sides.
-  double mean_side(const Floor_rim& rim, int k) const {
-    return (m_surface.length(rim.side(k)) + m_surface.length(rim.side(k + 2))) / 2;
+  // The vertex of the line that comes to lie at the coordinate: a stop that is there, or one between its neighbors, at
+  // about that share of the way.
+  Id stop(Line& line, double coordinate) {
+    const auto next = std::lower_bound(line.stops.begin(), line.stops.end(), coordinate,
+                                       [](const Stop& s, double c) { return s.coordinate < c; });
+    if (next->coordinate == coordinate) return next->vertex;
+    const Stop before = *(next - 1);
+    if (line.between(before.vertex, next->vertex).size() == 2) bisect(line, line.place(before.vertex));
+    const double share = (coordinate - before.coordinate) / (next->coordinate - before.coordinate);
+    const Id v = inner_vertex(line.between(before.vertex, next->vertex), share);
+    line.stops.insert(next, {coordinate, v});
+    return v;
   }
 
-  // Widths and heights of the rectangles are the lengths of the sides, distances between them those measured on the
-  // floor, all scaled so that they add up and that the area is that of the floor.
-  Status choose_rectangles() {
-    double row = 0, column_sum = 0;
-    std::vector<Rectangle_2> holes;
-    for (std::size_t k = 0; k < m_number_of_holes; ++k) {
-      const Path below = shortest_path(m_surface, hole(k).side(0), outer().side(0));
-      const Path above = shortest_path(m_surface, hole(k).side(2), outer().side(2));
-      if (below.empty() || above.empty())
-        return {ERROR_FLOOR_MAP, "hole " + std::to_string(k) + " is walled in"};
-      const double left = row + m_surface.length(m_spine[k]), bottom = m_surface.length(below);
-      const double top = bottom + mean_side(hole(k), 1), column = top + m_surface.length(above);
-      row = left + mean_side(hole(k), 0);
-      column_sum += column;
-      holes.push_back({left, bottom / column, row, top / column});
-    }
-    double width = mean_side(outer(), 0), height = mean_side(outer(), 1);
-    if (m_number_of_holes > 0) {
-      row += m_surface.length(m_spine.back());
-      width = (width + row) / 2;
-      height = (height + column_sum / double(m_number_of_holes)) / 2;
-    }
-    scale_rectangles(holes, row, width, height);
-    return {};
-  }
-
-  // Holes come with x relative to the length of the row, y relative to 1.
-  void scale_rectangles(const std::vector<Rectangle_2>& holes, double row, double width, double height) {
-    double share = 1;
-    for (const Rectangle_2& r : holes) share -= r.area() / row;
-    const double scale = std::sqrt(floor_area() / (share * width * height));
-    const double sx = scale * width, sy = scale * height;
-    m_rectangles.assign(1, {0, 0, sx, sy});
-    for (const Rectangle_2& r : holes)
-      m_rectangles.push_back({r.xmin / row * sx, r.ymin * sy, r.xmax / row * sx, r.ymax * sy});
-  }
-
-  double floor_area() const {
-    const auto& p = m_surface.points();
-    double area = 0;
-    for (const auto& t : m_surface.triangles())
-      area += std::sqrt(CGAL::squared_area(p[t[0]], p[t[1]], p[t[2]]));
-    return area;
-  }
-
-  double separator_x(std::size_t k) const {
-    return (m_rectangles[k + 1].xmax + m_rectangles[k + 2].xmin) / 2;
-  }
-
-  // Inner vertices of a side at about the given shares of its length, in strictly increasing order.
-  Path pick(const Path& side, const std::vector<double>& shares) const {
-    const double total = m_surface.length(side);
-    Path picked;
+  // The inner vertex that is nearest to a share of the way.
+  Id inner_vertex(const Path& path, double share) const {
+    const double wanted = share * m_surface.length(path);
+    double arc = m_surface.length(path[0], path[1]);
     std::size_t i = 1;
-    double arc = m_surface.length(side[0], side[1]);
-    for (std::size_t k = 0; k < shares.size(); ++k, arc += m_surface.length(side[i], side[i + 1]), ++i) {
-      const std::size_t last = side.size() - 1 - (shares.size() - k);
-      for (; i < last && arc + m_surface.length(side[i], side[i + 1]) / 2 < shares[k] * total; ++i)
-        arc += m_surface.length(side[i], side[i + 1]);
-      picked.push_back(side[i]);
+    for (; i + 2 < path.size(); ++i) {
+      const double edge = m_surface.length(path[i], path[i + 1]);
+      if (wanted <= arc + edge / 2) break;
+      arc += edge;
     }
-    return picked;
+    return path[i];
   }
 
-  Status cut_separators() {
-    std::vector<double> shares;
-    for (std::size_t k = 0; k + 1 < m_number_of_holes; ++k)
-      shares.push_back(separator_x(k) / m_rectangles[0].xmax);
-    Path top = outer().side(2);
-    std::reverse(top.begin(), top.end());
-    m_bottom_stops = pick(outer().side(0), shares);
-    m_top_stops = pick(top, shares);
-    for (std::size_t k = 0; k < shares.size(); ++k) {
-      const std::vector<Path> halves = split_spine(k + 1);
-      std::vector<Path> parts;
-      Status status = add_path({m_bottom_stops[k]}, {halves[0].back()}, parts);
-      if (status.ok()) status = add_path({halves[0].back()}, {m_top_stops[k]}, parts);
-      if (!status.ok()) return status;
-      parts[0].insert(parts[0].end(), parts[1].begin() + 1, parts[1].end());
-      m_separators.push_back(parts[0]);
-    }
-    return {};
+  // Bisects the edge of the line after place i.
+  void bisect(Line& line, std::size_t i) {
+    const Id v = line.path[i], w = line.path[i + 1], middle = m_surface.bisect(m_surface.half_edge(v, w));
+    line.path.insert(line.path.begin() + i + 1, middle);
+    if (m_surface.is_border(m_surface.outgoing(middle))) m_rims[0].insert(v, w, middle);
+    m_surface.split_chords();
   }
 
-  // Splits path k of the spine at its middle; the second half goes to the end of the list.
-  std::vector<Path> split_spine(std::size_t k) {
-    const Path path = m_spine[k];
-    const std::size_t middle = path.size() / 2;
-    m_spine[k].assign(path.begin(), path.begin() + middle + 1);
-    m_spine.emplace_back(path.begin() + middle, path.end());
-    return {m_spine[k], m_spine.back()};
-  }
-
-  // The corners of the cell of hole k, counterclockwise from the lower left.
-  std::array<Id, 4> cell_corners(std::size_t k) const {
-    const bool is_first = k == 0, is_last = k + 1 == m_number_of_holes;
-    return {is_first ? outer().corner(0) : m_bottom_stops[k - 1],
-            is_last ? outer().corner(1) : m_bottom_stops[k], is_last ? outer().corner(2) : m_top_stops[k],
-            is_first ? outer().corner(3) : m_top_stops[k - 1]};
-  }
-
-  Status cut_corners() {
-    for (std::size_t k = 0; k < m_number_of_holes; ++k)
-      for (int i = 0; i < 4; ++i) {
-        const Status status = add_path({hole(k).corner(i)}, {cell_corners(k)[i]}, m_corner_paths);
-        if (!status.ok()) return status;
-      }
-    return {};
-  }
-
-  // Places side k of rim r piece by piece between its corners and the ends of separators.
-  template <typename PlacePath>
-  void place_side(std::size_t r, int k, const PlacePath& place_path) const {
-    const auto corners = m_rectangles[r].corners();
-    const auto &c = corners[k], &d = corners[(k + 1) % 4];
-    Point_2 from(c[0], c[1]);
-    Path piece;
-    for (Id v : m_rims[r].side(k)) {
-      piece.push_back(v);
-      const Path& stops = k == 0 ? m_bottom_stops : m_top_stops;
-      const auto stop = std::find(stops.begin(), stops.end(), v);
-      if (r > 0 || k % 2 == 1 || stop == stops.end()) continue;
-      const Point_2 to(separator_x(stop - stops.begin()), c[1]);
-      place_path(piece, from, to);
-      piece.assign(1, v);
-      from = to;
-    }
-    place_path(piece, from, Point_2(d[0], d[1]));
-  }
-
-  const std::vector<Floor_rim>& m_rims;
-  std::size_t m_number_of_holes;
+  const std::vector<Rectangle_2>& m_rectangles; // of the rims
+  std::vector<Floor_rim>& m_rims;
   Refined_surface& m_surface;
-  std::vector<Rectangle_2> m_rectangles; // of the rims
-  std::vector<Path> m_spine, m_separators, m_corner_paths;
-  Path m_bottom_stops, m_top_stops; // ends of the separators
+  std::vector<Line> m_lines; // the sides of the outer rim, then the separators
+  std::vector<Path> m_corner_paths;
 };
 
 } // namespace internal

@@ -12,19 +12,22 @@
 
 #include <CGAL/Volume_mesh_parameterization/Compact_tetrahedral_mesh_3.h>
 #include <CGAL/Volume_mesh_parameterization/Error_code.h>
+#include <CGAL/Volume_mesh_parameterization/Floor_map_options.h>
 #include <CGAL/Volume_mesh_parameterization/Prism_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Floor_cutter.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Floor_embedding.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Floor_layout.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Floor_rim.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Planar_positions.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Rectangle_slicing.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Refined_surface.h>
-#include <CGAL/Volume_mesh_parameterization/internal/relax_planar_map.h>
-#include <CGAL/Volume_mesh_parameterization/internal/tutte_embedding.h>
+#include <CGAL/Volume_mesh_parameterization/internal/arrange_rectangles.h>
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/number_utils.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
@@ -32,40 +35,6 @@
 namespace CGAL {
 namespace Volume_mesh_parameterization {
 namespace internal {
-
-// Returns how many triangles are not counterclockwise, by exact signs.
-inline std::size_t count_flipped(const std::vector<Refined_surface::Triangle>& triangles,
-                                 const std::vector<Double_kernel::Point_2>& images) {
-  using Kernel = Exact_predicates_inexact_constructions_kernel;
-  const auto point = [&](Refined_surface::Id v) { return Kernel::Point_2(images[v].x(), images[v].y()); };
-  return std::count_if(triangles.begin(), triangles.end(), [&](const Refined_surface::Triangle& t) {
-    return CGAL::orientation(point(t[0]), point(t[1]), point(t[2])) != CGAL::LEFT_TURN;
-  });
-}
-
-// Moves bottoms and tops of holes that are on nearly the same line to one line: each line becomes one of the hexahedra,
-// and two that almost coincide would leave slivers between them.
-inline std::vector<Rectangle_2> align(std::vector<Rectangle_2> rectangles) {
-  constexpr double tolerance = 0.05; // of the edge of a square as large as the base
-  const double distance = tolerance * std::sqrt(rectangles[0].area());
-  std::vector<std::pair<double*, std::size_t>> lines;
-  for (std::size_t r = 1; r < rectangles.size(); ++r) {
-    lines.push_back({&rectangles[r].ymin, r});
-    lines.push_back({&rectangles[r].ymax, r});
-  }
-  std::sort(lines.begin(), lines.end(), [](const auto& a, const auto& b) { return *a.first < *b.first; });
-  for (std::size_t first = 0, end; first < lines.size(); first = end) {
-    std::vector<char> is_in(rectangles.size(), 0); // both lines of one hole are never moved to the same
-    double sum = 0;
-    for (end = first; end < lines.size(); ++end) {
-      if (is_in[lines[end].second]++ || *lines[end].first - *lines[first].first > distance) break;
-      sum += *lines[end].first;
-    }
-    for (std::size_t k = first; k < end; ++k)
-      *lines[k].first = first + 1 == end ? *lines[k].first : sum / double(end - first);
-  }
-  return rectangles;
-}
 
 // The steps from the floor of a mesh to its image in the plane.
 template <typename GeomTraits>
@@ -75,24 +44,29 @@ public:
   using Mesh = Compact_tetrahedral_mesh_3<GeomTraits>;
   using Point_2 = Double_kernel::Point_2;
 
-  explicit Floor_map_builder(const Mesh& mesh) : m_mesh(mesh) {}
+  Floor_map_builder(const Mesh& mesh, const Floor_map_options& options) : m_mesh(mesh), m_options(options) {}
 
   Status build() {
-    Status status = copy_floor();
+    Status status = check_options();
+    if (status.ok()) status = copy_floor();
     if (status.ok()) status = find_rims();
-    if (status.ok()) status = choose_corners();
     if (status.ok()) status = embed();
-    return status;
+    return status.ok() ? meet_options() : status;
   }
 
-  Refined_surface surface;
+  Floor_embedding floor;
   std::vector<Vertex_index> mesh_vertices; // of the vertices that are no midpoints
-  std::vector<Floor_rim> rims;             // the outer one, then the holes from left to right
   std::vector<int> wall_labels;            // of the rims
-  std::vector<Rectangle_2> rectangles;     // of the rims
-  std::vector<Point_2> images;
+  double height = 0;
 
 private:
+  Status check_options() const {
+    for (double size : m_options.size)
+      if (!(size >= 0 && std::isfinite(size)) || (m_options.integer_planes && size != std::round(size)))
+        return {ERROR_WRONG_PARAMETER, "the size " + std::to_string(size) + " of the domain"};
+    return {};
+  }
+
   // The floor seen from inside of the solid, so that the floor map with w upwards preserves the orientation.
   Status copy_floor() {
     std::vector<Id> vertex_of(m_mesh.number_of_vertices(), Refined_surface::none);
@@ -101,78 +75,64 @@ private:
       const auto v = m_mesh.vertices(f);
       for (Vertex_index w : v)
         if (vertex_of[w] == Refined_surface::none) {
-          vertex_of[w] = surface.add_vertex(approximate(m_mesh.point(w)));
+          vertex_of[w] = floor.surface.add_vertex(approximate(m_mesh.point(w)));
           mesh_vertices.push_back(w);
         }
-      surface.add_triangle({vertex_of[v[0]], vertex_of[v[2]], vertex_of[v[1]]}, f,
-                           {{{1, 0, 0}, {0, 0, 1}, {0, 1, 0}}});
+      floor.surface.add_triangle({vertex_of[v[0]], vertex_of[v[2]], vertex_of[v[1]]}, f,
+                                 {{{1, 0, 0}, {0, 0, 1}, {0, 1, 0}}});
     }
-    if (surface.number_of_triangles() == 0) return {ERROR_NUMBER_OF_PATCHES, "there is no floor"};
-    return surface.link() ? check_topology() : Status(ERROR_NON_MANIFOLD, "an edge of the floor");
+    if (floor.surface.number_of_triangles() == 0) return {ERROR_NUMBER_OF_PATCHES, "there is no floor"};
+    return floor.surface.link() ? check_topology() : Status(ERROR_NON_MANIFOLD, "an edge of the floor");
   }
 
   Status check_topology() const {
-    std::vector<char> has_border(surface.number_of_vertices(), 0);
+    std::vector<char> has_border(floor.surface.number_of_vertices(), 0);
     std::size_t border = 0;
-    for (Id h = 0; h < surface.number_of_half_edges(); ++h) {
-      if (!surface.is_border(h)) continue;
+    for (Id h = 0; h < floor.surface.number_of_half_edges(); ++h) {
+      if (!floor.surface.is_border(h)) continue;
       ++border;
-      if (has_border[surface.source(h)]++)
+      if (has_border[floor.surface.source(h)]++)
         return {ERROR_PATCH_NOT_A_SURFACE,
-                "floor at vertex " + std::to_string(mesh_vertices[surface.source(h)])};
+                "floor at vertex " + std::to_string(mesh_vertices[floor.surface.source(h)])};
     }
     if (!is_connected()) return {ERROR_PATCH_NOT_CONNECTED, "floor"};
-    const long edges = long(surface.number_of_half_edges() + border) / 2;
-    const long euler = long(surface.number_of_vertices()) - edges + long(surface.number_of_triangles());
-    const long loops = long(internal::find_rims(surface).size());
+    const long edges = long(floor.surface.number_of_half_edges() + border) / 2;
+    const long euler =
+        long(floor.surface.number_of_vertices()) - edges + long(floor.surface.number_of_triangles());
+    const long loops = long(internal::find_rims(floor.surface).size());
     if (loops == 0 || euler != 2 - loops) return {ERROR_PATCH_TOPOLOGY, "the floor is no disk with holes"};
     return {};
   }
 
   bool is_connected() const {
-    std::vector<char> is_seen(surface.number_of_triangles(), 0);
+    std::vector<char> is_seen(floor.surface.number_of_triangles(), 0);
     std::vector<Id> stack(1, 0);
     std::size_t seen = is_seen[0] = 1;
     while (!stack.empty()) {
       const Id t = stack.back();
       stack.pop_back();
       for (Id h = 3 * t; h < 3 * t + 3; ++h)
-        if (!surface.is_border(h) && !is_seen[surface.opposite(h) / 3]) {
-          is_seen[surface.opposite(h) / 3] = 1;
-          stack.push_back(surface.opposite(h) / 3);
+        if (!floor.surface.is_border(h) && !is_seen[floor.surface.opposite(h) / 3]) {
+          is_seen[floor.surface.opposite(h) / 3] = 1;
+          stack.push_back(floor.surface.opposite(h) / 3);
           ++seen;
         }
     }
-    return seen == surface.number_of_triangles();
+    return seen == floor.surface.number_of_triangles();
   }
 
   // The longest rim is the outer one; the others are turned to run counterclockwise.
   Status find_rims() {
-    rims = internal::find_rims(surface);
+    std::vector<Floor_rim>& rims = floor.rims;
+    rims = internal::find_rims(floor.surface);
     const auto shorter = [&](const Floor_rim& a, const Floor_rim& b) {
-      return loop_length(surface, a) < loop_length(surface, b);
+      return loop_length(floor.surface, a) < loop_length(floor.surface, b);
     };
     std::iter_swap(rims.begin(), std::max_element(rims.begin(), rims.end(), shorter));
-    for (std::size_t r = 0; r < rims.size(); ++r)
-      refine_rim(surface, Corner_chooser::least_size(room(r)), rims[r]);
+    for (Floor_rim& rim : rims) refine_rim(floor.surface, Corner_chooser::least_size, rim);
     for (std::size_t r = 1; r < rims.size(); ++r) std::reverse(rims[r].loop.begin(), rims[r].loop.end());
-    surface.cut_border();
-    surface.split_chords();
-    return {};
-  }
-
-  // For the separators of the holes, which end on the bottom and the top of the outer rim.
-  std::size_t room(std::size_t rim) const { return rim == 0 ? rims.size() : 1; }
-
-  Status choose_corners() {
-    std::vector<Point_2> positions;
-    const Status status = Planar_positions(surface, rims).compute(positions);
-    if (!status.ok()) return status;
-    std::sort(rims.begin() + 1, rims.end(), [&](const Floor_rim& a, const Floor_rim& b) {
-      return Planar_positions::center(a, positions).x() < Planar_positions::center(b, positions).x();
-    });
-    for (std::size_t r = 0; r < rims.size(); ++r) Corner_chooser(positions, room(r), rims[r]);
-    find_wall_labels();
+    floor.surface.cut_border();
+    floor.surface.split_chords();
     return {};
   }
 
@@ -182,89 +142,122 @@ private:
       if (m_mesh.label(f) >= FIRST_WALL)
         for (Vertex_index v : m_mesh.vertices(f)) wall_at[v] = m_mesh.label(f);
     const auto is_old = [this](Id v) { return v < mesh_vertices.size(); };
-    for (const Floor_rim& rim : rims)
+    for (const Floor_rim& rim : floor.rims)
       wall_labels.push_back(wall_at[mesh_vertices[*std::find_if(rim.loop.begin(), rim.loop.end(), is_old)]]);
   }
 
-  // Once with the rectangles measured on the floor, then, if all goes well, with those that fit best, aligned.
+  // First roughly from several starts, then with the rectangles that fit best, aligned.
   Status embed() {
-    Floor_cutter cutter(rims, surface);
-    Status status = cutter.cut();
-    if (status.ok()) status = embed_pieces(cutter);
+    Status status = embed_roughly();
     if (!status.ok()) return status;
-    relax(ROUGHLY);
-    const std::vector<Rectangle_2> aligned = align(rectangles);
-    if (aligned != rectangles) {
-      const std::vector<Point_2> relaxed = images;
-      const std::vector<Rectangle_2> relaxed_rectangles = rectangles;
-      cutter.set_rectangles(aligned);
-      if (!embed_pieces(cutter).ok()) {
-        images = relaxed;
-        rectangles = relaxed_rectangles;
-      }
-    }
-    relax(TO_MINIMUM);
+    find_wall_labels();
+    static_cast<void>(floor.move_to(aligned(floor.rectangles))); // or else lines that nearly coincide stay so
+    floor.relax(TO_MINIMUM);
+    height = mean_height();
     return {};
   }
 
-  Status embed_pieces(const Floor_cutter& cutter) {
-    std::vector<char> is_fixed;
-    cutter.place(images, is_fixed);
-    rectangles = cutter.rectangles();
-    const auto& triangles = surface.triangles();
-    Status status = tutte_embedding(triangles, is_fixed, Mean_value_weights{surface.points()}, images);
-    if (status.ok() && count_flipped(triangles, images) > 0)
-      status = tutte_embedding(triangles, is_fixed, Uniform_weights(), images);
-    if (status.ok() && count_flipped(triangles, images) > 0) status = embed_adaptively(is_fixed);
-    return status.ok() ? check() : status;
+  // With all directions of x, and two layouts for each: it is hard to foretell what suits a floor that is bent.
+  Status embed_roughly() {
+    const Floor_embedding start = floor;
+    const Planar_positions planar(start.surface, start.rims);
+    std::vector<Point_2> unturned;
+    Status status = planar.compute(unturned);
+    for (double axis : status.ok() ? planar.axes(unturned) : std::vector<double>()) {
+      const std::vector<Point_2> positions = Planar_positions::turned(unturned, axis);
+      Floor_embedding uncut = start;
+      choose_corners(positions, uncut.rims);
+      Floor_layout layout(uncut.surface, uncut.rims);
+      std::vector<Rectangle_2> rectangles;
+      status = layout.measure(rectangles);
+      if (status.ok()) status = try_layout(uncut, rectangles);
+      if (uncut.rims.size() > 1 && layout.measure_positions(positions, rectangles))
+        status = try_layout(uncut, rectangles);
+    }
+    return floor.images.empty() ? status : Status();
   }
 
-  // Where the floor bulges behind a neck, an embedding shrinks it beyond the precision of numbers.
-  Status embed_adaptively(const std::vector<char>& is_fixed) {
-    constexpr int most_attempts = 30;
-    const auto& triangles = surface.triangles();
-    Stretch_weights weights(surface.number_of_vertices());
-    Status status;
-    for (int i = 0; i < most_attempts && status.ok() && count_flipped(triangles, images) > 0; ++i) {
-      weights.adapt(triangles, surface.points(), images);
-      status = tutte_embedding(triangles, is_fixed, weights, images);
+  static void choose_corners(const std::vector<Point_2>& positions, std::vector<Floor_rim>& rims) {
+    std::sort(rims.begin() + 1, rims.end(), [&](const Floor_rim& a, const Floor_rim& b) {
+      return Planar_positions::center(a, positions).x() < Planar_positions::center(b, positions).x();
+    });
+    for (Floor_rim& rim : rims) Corner_chooser(positions, rim);
+  }
+
+  // Keeps the result if it is the best so far.
+  Status try_layout(const Floor_embedding& uncut, const std::vector<Rectangle_2>& rectangles) {
+    constexpr double little = 0.01; // less of the energy is no reason to prefer a later one
+    Floor_embedding candidate = uncut;
+    const Status status = candidate.embed(separated(rectangles));
+    if (!status.ok()) return status;
+    const double energy = candidate.relax(ROUGHLY);
+    if (energy < (1 - little) * m_energy || floor.images.empty()) {
+      m_energy = energy;
+      floor = std::move(candidate);
     }
     return status;
   }
 
-  // Positive triangles and a border that runs once along the rims: then the map is one to one, by its degree.
-  Status check() const {
-    const std::size_t flipped = count_flipped(surface.triangles(), images);
-    if (flipped > 0) return {ERROR_FLOOR_MAP, std::to_string(flipped) + " of its triangles are flipped"};
-    for (std::size_t r = 0; r < rims.size(); ++r)
-      for (int k = 0; k < 4; ++k)
-        if (!is_monotone(rims[r].side(k), rectangles[r].corners()[k], rectangles[r].corners()[(k + 1) % 4]))
-          return {ERROR_FLOOR_MAP, "side " + std::to_string(k) + " of rim " + std::to_string(r) + " folds"};
-    return {};
-  }
-
-  bool is_monotone(const std::vector<Id>& side, const std::array<double, 2>& from,
-                   const std::array<double, 2>& to) const {
-    const int axis = from[0] != to[0] ? 0 : 1;
-    const double sign = to[axis] > from[axis] ? 1 : -1;
-    for (std::size_t i = 0; i < side.size(); ++i) {
-      if (images[side[i]][1 - axis] != from[1 - axis]) return false;
-      if (i > 0 && !(sign * images[side[i - 1]][axis] < sign * images[side[i]][axis])) return false;
+  double mean_height() const {
+    const auto point = [&](Vertex_index v) { return approximate(m_mesh.point(v)); };
+    double volume = 0, bases = 0;
+    for (Cell_index c : m_mesh.cells()) {
+      const auto& v = m_mesh.cell(c);
+      volume += CGAL::abs(CGAL::volume(point(v[0]), point(v[1]), point(v[2]), point(v[3])));
     }
-    return images[side.front()][axis] == from[axis] && images[side.back()][axis] == to[axis];
+    for (Facet_index f : m_mesh.boundary_facets()) {
+      const auto v = m_mesh.vertices(f);
+      if (m_mesh.label(f) == FLOOR || m_mesh.label(f) == CEILING)
+        bases += std::sqrt(CGAL::squared_area(point(v[0]), point(v[1]), point(v[2])));
+    }
+    return 2 * volume / bases;
   }
 
-  // Less distortion, if the result is still exactly one to one.
-  void relax(Relaxation goal) {
-    std::vector<Point_2> start = images;
-    std::vector<Rectangle_2> start_rectangles = rectangles;
-    relax_planar_map(goal, surface, rims, rectangles, images);
-    if (check().ok()) return;
-    images.swap(start);
-    rectangles.swap(start_rectangles);
+  // Moves the planes to the sizes and the integers that are asked for.
+  Status meet_options() {
+    const std::array<double, 3>& size = m_options.size;
+    if (!has_sizes() && !m_options.integer_planes) return {};
+    const std::array<double, 3> factors = size_factors();
+    floor.stretch({factors[0], factors[1]});
+    std::vector<Rectangle_2> asked = floor.rectangles;
+    for (int axis = 0; axis < 2; ++axis)
+      if (size[axis] > 0) asked[0].high(axis) = size[axis];
+    height = size[2] > 0 ? size[2] : height * factors[2];
+    if (m_options.integer_planes) {
+      asked = rounded(asked);
+      height = (std::max)(1., std::round(height));
+    }
+    if (!are_rims(asked)) return {ERROR_WRONG_PARAMETER, "the domain is too small for integer planes"};
+    const double scale = std::sqrt(factors[0] * factors[1]);
+    const Status status = floor.move_to(asked, scale);
+    if (status.ok()) floor.relax(TO_MINIMUM, m_options.integer_planes ? ALL_PLANES : OUTER_PLANES, scale);
+    return status;
+  }
+
+  bool has_sizes() const { return m_options.size != std::array<double, 3>{0, 0, 0}; }
+
+  // The sizes that are given over those found; for the others the geometric mean of these, or what leads to an integer grid.
+  std::array<double, 3> size_factors() const {
+    const std::array<double, 3> sizes = {floor.rectangles[0].width(), floor.rectangles[0].height(), height};
+    double product = 1;
+    int given = 0;
+    std::array<double, 3> factors;
+    for (int axis = 0; axis < 3; ++axis) {
+      factors[axis] = m_options.size[axis] / sizes[axis];
+      if (factors[axis] == 0) continue;
+      product *= factors[axis];
+      ++given;
+    }
+    const double common =
+        given > 0 ? std::pow(product, 1. / given) : coarsest_integer_scale(floor.rectangles, height);
+    for (double& factor : factors)
+      if (factor == 0) factor = common;
+    return factors;
   }
 
   const Mesh& m_mesh;
+  const Floor_map_options& m_options;
+  double m_energy = std::numeric_limits<double>::infinity(); // of the best embedding so far
 };
 
 } // namespace internal

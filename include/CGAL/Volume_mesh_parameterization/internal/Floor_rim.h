@@ -18,6 +18,7 @@
 #include <array>
 #include <cmath>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -33,6 +34,21 @@ struct Floor_rim {
   std::array<std::size_t, 4>
       corners{}; // places in the loop: lower left, lower right, upper right, upper left
 
+  // A rim whose corners are given; its ends lie in the middle of the left and the right side.
+  static Floor_rim with_corners(std::vector<Id> loop, const std::array<Id, 4>& corners) {
+    Floor_rim rim;
+    rim.loop = std::move(loop);
+    const auto rotate_to = [&](Id v) {
+      std::rotate(rim.loop.begin(), std::find(rim.loop.begin(), rim.loop.end(), v), rim.loop.end());
+      for (int k = 0; k < 4; ++k)
+        rim.corners[k] = std::find(rim.loop.begin(), rim.loop.end(), corners[k]) - rim.loop.begin();
+    };
+    rotate_to(corners[3]);
+    rotate_to(rim.loop[rim.corners[0] / 2]);
+    rim.right_end = (rim.corners[1] + rim.corners[2]) / 2;
+    return rim;
+  }
+
   Id left() const { return loop[0]; }
   Id right() const { return loop[right_end]; }
   Id corner(int k) const { return loop[corners[k % 4]]; }
@@ -40,10 +56,19 @@ struct Floor_rim {
   // The vertices from corner k to corner k + 1: 0 is the bottom, 1 the right side, 2 the top, 3 the left side.
   std::vector<Id> side(int k) const {
     std::vector<Id> vertices;
-    for (std::size_t i = corners[k]; i != corners[(k + 1) % 4]; i = (i + 1) % loop.size())
+    for (std::size_t i = corners[k % 4]; i != corners[(k + 1) % 4]; i = (i + 1) % loop.size())
       vertices.push_back(loop[i]);
     vertices.push_back(corner(k + 1));
     return vertices;
+  }
+
+  // Adds a vertex between two neighbors.
+  void insert(Id v, Id w, Id middle) {
+    std::size_t i = std::find(loop.begin(), loop.end(), v) - loop.begin();
+    if (loop[(i + 1) % loop.size()] != w) i = std::find(loop.begin(), loop.end(), w) - loop.begin();
+    loop.insert(loop.begin() + i + 1, middle);
+    right_end += right_end > i;
+    for (std::size_t& corner : corners) corner += corner > i;
   }
 };
 
@@ -87,24 +112,24 @@ inline void refine_rim(Refined_surface& surface, std::size_t size, Floor_rim& ri
 }
 
 // Chooses the ends and the corners of a rim where its positions are extreme, but always in the right order, with at
-// least `room` vertices inside the bottom and the top, and one between an end and a corner.
+// least one vertex inside each side: the ends are inside the left and the right one.
 class Corner_chooser {
 public:
-  Corner_chooser(const std::vector<Double_kernel::Point_2>& positions, std::size_t room, Floor_rim& rim)
+  Corner_chooser(const std::vector<Double_kernel::Point_2>& positions, Floor_rim& rim)
       : m_positions(positions), m_rim(rim) {
     find_box();
-    const std::size_t size = rim.loop.size(), half = room + 5;
+    const std::size_t size = rim.loop.size(), half = least_size / 2;
     std::rotate(rim.loop.begin(), rim.loop.begin() + best_place(0, size, &Corner_chooser::left),
                 rim.loop.end());
     const std::size_t right = best_place(half, size - half + 1, &Corner_chooser::right);
     rim.right_end = right;
-    rim.corners[0] = best_place(2, right - room - 2, &Corner_chooser::lower_left);
-    rim.corners[1] = best_place(rim.corners[0] + room + 1, right - 1, &Corner_chooser::lower_right);
-    rim.corners[2] = best_place(right + 2, size - room - 2, &Corner_chooser::upper_right);
-    rim.corners[3] = best_place(rim.corners[2] + room + 1, size - 1, &Corner_chooser::upper_left);
+    rim.corners[0] = best_place(1, right - 2, &Corner_chooser::lower_left);
+    rim.corners[1] = best_place(rim.corners[0] + 2, right, &Corner_chooser::lower_right);
+    rim.corners[2] = best_place(right + 1, size - 2, &Corner_chooser::upper_right);
+    rim.corners[3] = best_place(rim.corners[2] + 2, size, &Corner_chooser::upper_left);
   }
 
-  static std::size_t least_size(std::size_t room) { return 2 * (room + 5); }
+  static constexpr std::size_t least_size = 8; // of the rim
 
 private:
   using Score = double (*)(double x, double y); // coordinates relative to the box, between -1 and 1

@@ -64,6 +64,12 @@ public:
     return surface.split(h, surface.source(h) == v ? part : 1 - part);
   }
 
+  Id bisect(Id v, Id w) { return split(v, w, .5); }
+
+  void split_chords() {
+    for (const auto& [v, w] : surface.chords()) bisect(v, w);
+  }
+
   // The label on the left of a half-edge.
   int label(Id half_edge) const { return labels[half_edge / 3]; }
   bool is_rim(Id half_edge) const { return label(half_edge) != label(surface.opposite(half_edge)); }

@@ -39,13 +39,24 @@ public:
 
   // Fails with the linear solver only.
   Status compute(std::vector<Point_2>& positions) const {
-    if (project(positions)) {
-      turn(positions);
-      return {};
-    }
-    const Status status = fill_and_embed(positions);
-    if (status.ok()) turn(positions);
-    return status;
+    return project(positions) ? Status() : fill_and_embed(positions);
+  }
+
+  // Returns directions that may become that of x: the principal axis of the centers of holes, if there are several, and
+  // that of the longer side of the smallest box.
+  std::vector<double> axes(const std::vector<Point_2>& positions) const {
+    constexpr double tolerance = CGAL_PI / 90; // as far as boxes are told apart
+    const double of_box = axis_of_box(positions);
+    if (m_rims.size() < 3) return {of_box};
+    const double of_holes = axis_of_holes(positions),
+                 difference = CGAL::abs(std::remainder(of_holes - of_box, CGAL_PI / 2));
+    return difference < tolerance ? std::vector<double>{of_holes} : std::vector<double>{of_holes, of_box};
+  }
+
+  static std::vector<Point_2> turned(std::vector<Point_2> positions, double axis) {
+    const double c = std::cos(axis), s = std::sin(axis);
+    for (Point_2& p : positions) p = Point_2(c * p.x() + s * p.y(), c * p.y() - s * p.x());
+    return positions;
   }
 
 private:
@@ -98,14 +109,6 @@ private:
     return status;
   }
 
-  // Turns the row of holes into the direction of x: along the principal axis of their centers, or with less than two
-  // holes along the longer side of the smallest box.
-  void turn(std::vector<Point_2>& positions) const {
-    const double angle = m_rims.size() > 2 ? axis_of_holes(positions) : axis_of_box(positions);
-    const double c = std::cos(angle), s = std::sin(angle);
-    for (Point_2& p : positions) p = Point_2(c * p.x() + s * p.y(), c * p.y() - s * p.x());
-  }
-
   double axis_of_holes(const std::vector<Point_2>& positions) const {
     std::vector<Point_2> centers;
     double x = 0, y = 0;
@@ -130,7 +133,8 @@ private:
     for (int k = 0; k < directions; ++k) {
       const double angle = CGAL_PI * k / directions;
       const double width = extent(positions, angle), height = extent(positions, angle + CGAL_PI / 2);
-      if (width < (1 - rounding_share) * height || width * height >= (1 - rounding_share) * least_area) continue;
+      if (width < (1 - rounding_share) * height || width * height >= (1 - rounding_share) * least_area)
+        continue;
       least_area = width * height;
       best = angle;
     }

@@ -48,6 +48,7 @@ public:
     m_points.push_back(point);
     m_outgoing.push_back(none);
     m_on_cut.push_back(0);
+    m_split_edges.push_back({none, none});
     return Id(m_points.size() - 1);
   }
 
@@ -92,6 +93,8 @@ public:
   bool is_border(Id h) const { return m_opposite[h] == none; }
   // The half-edge that leaves v; at the border the one on the border.
   Id outgoing(Id v) const { return m_outgoing[v]; }
+  // The ends of the edge that v has split; none for a vertex that was added.
+  const std::array<Id, 2>& split_edge(Id v) const { return m_split_edges[v]; }
   bool is_on_cut(Id v) const { return m_on_cut[v] != 0; }
   bool is_cut(Id h) const { return m_is_cut[h] != 0; }
   double length(Id v, Id w) const { return std::sqrt(CGAL::squared_distance(m_points[v], m_points[w])); }
@@ -140,6 +143,7 @@ public:
     const Id a = source(h), b = target(h), g = m_opposite[h];
     const Id m = add_vertex(point_between(m_points[a], m_points[b], part));
     m_on_cut[m] = m_is_cut[h];
+    m_split_edges[m] = {a, b};
     const Id second_h = split_triangle(h, m, part);
     m_outgoing[m] = second_h;
     if (g == none) return m;
@@ -147,6 +151,11 @@ public:
     pair(h, second_g);
     pair(second_h, g);
     return m;
+  }
+
+  void cut(Id h) {
+    m_is_cut[h] = m_on_cut[source(h)] = m_on_cut[target(h)] = 1;
+    if (!is_border(h)) m_is_cut[m_opposite[h]] = 1;
   }
 
   void cut_border() {
@@ -167,17 +176,23 @@ public:
     }
   }
 
-  // Bisects every edge that is not cut and joins two cut vertices. Then no triangle is squeezed flat when the cuts
-  // become straight, and the vertices off the cuts are connected within each piece, so that the next path exists.
-  // One scan is enough: no edge at a midpoint is a chord. Returns the chords in the order of the new vertices.
-  std::vector<std::array<Id, 2>> split_chords() {
-    std::vector<std::array<Id, 2>> chords;
+  // The edges that are not cut and join two cut vertices, the longest first.
+  std::vector<std::array<Id, 2>> chords() const {
+    std::vector<std::array<Id, 2>> result;
     for (Id h = 0; h < number_of_half_edges(); ++h)
       if (!m_is_cut[h] && h < m_opposite[h] && is_on_cut(source(h)) && is_on_cut(target(h)))
-        chords.push_back({source(h), target(h)});
-    sort_longest_first(chords, [this](Id v) { return m_points[v]; });
-    for (const auto& [v, w] : chords) bisect(half_edge(v, w));
-    return chords;
+        result.push_back({source(h), target(h)});
+    sort_longest_first(result, [this](Id v) { return m_points[v]; });
+    return result;
+  }
+
+  // Bisects all chords. Then no triangle is squeezed flat when the cuts become straight, and the vertices off the cuts are
+  // connected within each piece, so that the next path exists. Once is enough: no edge at a midpoint is a chord. Returns
+  // the chords in the order of the new vertices.
+  std::vector<std::array<Id, 2>> split_chords() {
+    const std::vector<std::array<Id, 2>> result = chords();
+    for (const auto& [v, w] : result) bisect(half_edge(v, w));
+    return result;
   }
 
 private:
@@ -190,11 +205,6 @@ private:
   void find_outgoing() {
     for (Id h = 0; h < number_of_half_edges(); ++h)
       if (m_outgoing[source(h)] == none || is_border(h)) m_outgoing[source(h)] = h;
-  }
-
-  void cut(Id h) {
-    m_is_cut[h] = m_on_cut[source(h)] = m_on_cut[target(h)] = 1;
-    if (!is_border(h)) m_is_cut[m_opposite[h]] = 1;
   }
 
   // (a, b, c) with h from a to b becomes (a, m, c), and (m, b, c) is added; returns the half-edge from m to b.
@@ -226,6 +236,7 @@ private:
   std::vector<Point_3> m_points;
   std::vector<Id> m_outgoing; // of vertices
   std::vector<char> m_on_cut; // of vertices
+  std::vector<std::array<Id, 2>> m_split_edges; // of vertices
   std::vector<Triangle> m_triangles;
   std::vector<Facet_index> m_parents;
   std::vector<Corner_weights> m_weights;

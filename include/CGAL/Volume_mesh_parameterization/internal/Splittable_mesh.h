@@ -72,6 +72,8 @@ public:
   std::size_t number_of_cells() const { return m_cells.size(); }
   const Cell_vertices& cell(Cell_index c) const { return m_cells[c]; }
   const Cell_labels& labels(Cell_index c) const { return m_labels[c]; }
+  // The cells around a vertex.
+  const std::vector<Cell_index>& star(Vertex_index v) const { return m_stars[v]; }
 
   /*
   Inserts the barycentre of the simplex with the given 2, 3 or 4 vertices. Every cell around it is replaced by one

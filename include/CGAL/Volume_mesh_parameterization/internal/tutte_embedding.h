@@ -60,17 +60,18 @@ public:
     return {m_pull[w], m_pull[u]};
   }
 
-  // Divides the pull of each vertex by the stretch around it: the root of the area of its triangles in space over that in
-  // the plane.
+  // Divides the pull of each vertex by the stretch around it: the root of the area of its triangles in space over that of
+  // their images, which is area(k) for triangle k.
+  template <typename Area>
   void adapt(const std::vector<std::array<std::uint32_t, 3>>& triangles,
-             const std::vector<Double_kernel::Point_3>& points,
-             const std::vector<Double_kernel::Point_2>& images) {
+             const std::vector<Double_kernel::Point_3>& points, const Area& area) {
     constexpr double greatest = 10; // of the change at once
     std::vector<double> given(m_pull.size(), 0), embedded(m_pull.size(), 0);
     double all_given = 0, all_embedded = 0;
-    for (const auto& t : triangles) {
+    for (std::size_t k = 0; k < triangles.size(); ++k) {
+      const auto& t = triangles[k];
       const double a = std::sqrt(CGAL::squared_area(points[t[0]], points[t[1]], points[t[2]])),
-                   b = std::max(0., CGAL::area(images[t[0]], images[t[1]], images[t[2]]));
+                   b = std::max(0., area(k));
       all_given += a;
       all_embedded += b;
       for (std::uint32_t v : t) {
@@ -91,26 +92,25 @@ private:
 /*
 Moves every vertex that is not fixed to the weighted mean of its neighbors (W. T. Tutte, How to draw a graph, 1963;
 M. S. Floater, One-to-one piecewise linear mappings over triangulations, 2003). weights(v, w, u) are the shares of a
-triangle in the weights of its edges vw and vu.
+triangle in the weights of its edges vw and vu. Positions are points of the plane or of space: what is fixed around a piece
+of surface in a plane of space keeps it there, up to rounding.
 */
-template <typename Weights>
+template <typename Weights, typename Point>
 Status tutte_embedding(const std::vector<std::array<std::uint32_t, 3>>& triangles,
-                       const std::vector<char>& is_fixed, const Weights& weights,
-                       std::vector<Double_kernel::Point_2>& positions) {
+                       const std::vector<char>& is_fixed, const Weights& weights, std::vector<Point>& positions) {
+  constexpr int dimension = Point::Ambient_dimension::value;
   using Solver = Eigen_solver_traits<Eigen::SparseLU<Eigen_sparse_matrix<double>::EigenType>>;
   std::vector<std::size_t> row(positions.size());
   std::size_t n = 0;
   for (std::size_t v = 0; v < positions.size(); ++v) row[v] = is_fixed[v] ? std::size_t(-1) : n++;
   if (n == 0) return {};
   typename Solver::Matrix matrix(n, n);
-  typename Solver::Vector bx(n), by(n), x(n), y(n);
-  bx.setZero();
-  by.setZero();
+  std::vector<typename Solver::Vector> right(dimension, typename Solver::Vector(n)), x(right);
+  for (auto& b : right) b.setZero();
   const auto add = [&](std::uint32_t v, std::uint32_t w, double weight) {
     matrix.add_coef(row[v], row[v], weight);
     if (!is_fixed[w]) return matrix.add_coef(row[v], row[w], -weight);
-    bx[row[v]] += weight * positions[w].x();
-    by[row[v]] += weight * positions[w].y();
+    for (int k = 0; k < dimension; ++k) right[k][row[v]] += weight * positions[w][k];
   };
   for (const auto& t : triangles)
     for (int i = 0; i < 3; ++i) {
@@ -122,10 +122,16 @@ Status tutte_embedding(const std::vector<std::array<std::uint32_t, 3>>& triangle
     }
   Solver solver;
   double denominator = 1;
-  if (!solver.factor(matrix, denominator) || !solver.linear_solver(bx, x) || !solver.linear_solver(by, y))
-    return {ERROR_CANNOT_SOLVE, "Tutte embedding of " + std::to_string(n) + " vertices"};
+  bool is_solved = solver.factor(matrix, denominator);
+  for (int k = 0; k < dimension && is_solved; ++k) is_solved = solver.linear_solver(right[k], x[k]);
+  if (!is_solved) return {ERROR_CANNOT_SOLVE, "Tutte embedding of " + std::to_string(n) + " vertices"};
   for (std::size_t v = 0; v < positions.size(); ++v)
-    if (!is_fixed[v]) positions[v] = Double_kernel::Point_2(x[row[v]], y[row[v]]);
+    if (!is_fixed[v]) {
+      if constexpr (dimension == 2)
+        positions[v] = Point(x[0][row[v]], x[1][row[v]]);
+      else
+        positions[v] = Point(x[0][row[v]], x[1][row[v]], x[2][row[v]]);
+    }
   return {};
 }
 

@@ -1,0 +1,241 @@
+// Copyright (c) 2026  The Volume_mesh_parameterization authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_FOLDOVER_FREE_ENERGY_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_FOLDOVER_FREE_ENERGY_H
+
+#include <CGAL/license/Volume_mesh_parameterization.h>
+
+#include <CGAL/number_utils.h>
+
+#include <Eigen/Dense>
+#include <Eigen/IterativeLinearSolvers>
+#include <Eigen/Sparse>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Volume_mesh_parameterization {
+namespace internal {
+
+/*
+The energy of V. Garanzha, I. Kaporin, L. Kudryavtseva, F. Protais, N. Ray, D. Sokolov, Foldover-free maps in 50 lines of
+code, 2021: for each tetrahedron with Jacobian J of determinant D, eq. (3) to (5),
+
+    tr(J^T J) / chi^(2/3) + lambda (D^2 + 1) / chi,    chi = (D + sqrt(epsilon^2 + D^2)) / 2.
+
+It is finite for flipped tetrahedra; as epsilon tends to 0 they become infinitely bad. With epsilon = 0 positive ones stay
+positive.
+*/
+class Foldover_free_energy {
+public:
+  using Cell = std::array<std::uint32_t, 4>;
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
+
+  // positions: of all vertices; only those that are free will move
+  Foldover_free_energy(std::vector<Cell> cells, const std::vector<Eigen::Vector3d>& rest,
+                       const std::vector<char>& is_free, std::vector<Eigen::Vector3d>& positions)
+      : m_cells(std::move(cells)), m_positions(positions), m_unknown(positions.size(), no_unknown) {
+    for (std::size_t v = 0; v < positions.size(); ++v)
+      if (is_free[v]) {
+        m_unknown[v] = std::uint32_t(m_free.size());
+        m_free.push_back(std::uint32_t(v));
+      }
+    const double scale = scale_of(rest);
+    for (const Cell& c : m_cells) m_inverse_rests.push_back((scale * rest_edges(c, rest)).inverse());
+  }
+
+  std::size_t number_of_unknowns() const { return 3 * m_free.size(); }
+
+  // Lessens the energy while epsilon falls, until no determinant is negative or most_rounds are over. In the paper, eq. (8),
+  // epsilon falls by a tenth at least; for small parts by half is as safe and far quicker. Returns whether all are positive.
+  bool untangle(double epsilon, int most_rounds) {
+    constexpr int steps_per_round = 5;
+    constexpr double least_gain = 1e-4, least_fall = 0.5;
+    for (int round = 0; round < most_rounds && least_determinant() <= 0; ++round) {
+      m_epsilon = epsilon;
+      const double before = value();
+      const double gain = (std::max)(1 - minimize(steps_per_round, least_gain) / before, least_fall);
+      const double least = least_determinant(), root = std::hypot(least, epsilon);
+      epsilon *= least >= 0 ? 1 - gain : 1 - gain * root / (CGAL::abs(least) + root);
+    }
+    return least_determinant() > 0;
+  }
+
+  // Lessens the energy of positive tetrahedra, which stay positive.
+  void polish(int most_steps) {
+    constexpr double least_gain = 1e-3;
+    m_epsilon = 0;
+    minimize(most_steps, least_gain);
+  }
+
+  // The energy of one cell: 3.2 for one that is only moved and turned.
+  double value(std::size_t c) const { return State(*this, c).value(); }
+
+  double value() const {
+    double sum = 0;
+    for (std::size_t c = 0; c < m_cells.size(); ++c) sum += value(c);
+    return sum;
+  }
+
+private:
+  static constexpr std::uint32_t no_unknown = std::uint32_t(-1);
+  static constexpr double lambda = 0.1; // weight of volumes against angles
+
+  static Eigen::Matrix3d edges(const Cell& c, const std::vector<Eigen::Vector3d>& p) {
+    Eigen::Matrix3d e;
+    for (int k = 0; k < 3; ++k) e.col(k) = p[c[k + 1]] - p[c[0]];
+    return e;
+  }
+
+  // A sliver would weigh more than all others together: a regular tetrahedron of the same size is its model.
+  static Eigen::Matrix3d rest_edges(const Cell& c, const std::vector<Eigen::Vector3d>& rest) {
+    constexpr double least_volume = 0.01; // of the cube of the longest edge; 0.71 for a regular one
+    const Eigen::Matrix3d e = edges(c, rest);
+    const double longest = std::sqrt(e.colwise().squaredNorm().maxCoeff());
+    if (e.determinant() > least_volume * longest * longest * longest) return e;
+    Eigen::Matrix3d regular;
+    regular << 1, .5, .5, 0, std::sqrt(.75), std::sqrt(1. / 12), 0, 0, std::sqrt(2. / 3);
+    return longest * regular;
+  }
+
+  // Makes the volume at rest that of the image.
+  double scale_of(const std::vector<Eigen::Vector3d>& rest) const {
+    double image_volume = 0, rest_volume = 0;
+    for (const Cell& c : m_cells) {
+      image_volume += edges(c, m_positions).determinant();
+      rest_volume += edges(c, rest).determinant();
+    }
+    return image_volume > 0 ? std::cbrt(image_volume / rest_volume) : 1;
+  }
+
+  // The Jacobian of a cell and what the energy is made of.
+  struct State {
+    State(const Foldover_free_energy& energy, std::size_t c)
+        : jacobian(edges(energy.m_cells[c], energy.m_positions) * energy.m_inverse_rests[c]) {
+      const Eigen::Matrix3d& j = jacobian;
+      cofactors << j.col(1).cross(j.col(2)), j.col(2).cross(j.col(0)), j.col(0).cross(j.col(1));
+      determinant = j.col(0).dot(cofactors.col(0));
+      const double e = energy.m_epsilon, root = std::sqrt(e * e + determinant * determinant);
+      chi = determinant > 0 ? (determinant + root) / 2 : e * e / (2 * (root - determinant)); // stable for both signs
+      slope = chi / root;
+    }
+
+    double value() const {
+      if (!(chi > 0)) return infinity;
+      return jacobian.squaredNorm() * std::pow(chi, -2. / 3) + lambda * (determinant * determinant + 1) / chi;
+    }
+
+    Eigen::Matrix3d jacobian, cofactors;
+    double determinant, chi, slope; // of chi as a function of the determinant
+  };
+
+  /*
+  Newton's method. The Hessian is that of f(J, D, chi) as a function of three independent variables, which is convex, with D
+  and chi linear in J: so it is positive.
+  */
+  double minimize(int most_steps, double least_gain) {
+    double current = value();
+    for (int i = 0; i < most_steps; ++i) {
+      Eigen::VectorXd gradient, direction;
+      find_direction(gradient, direction);
+      const double next = descend(gradient.dot(direction), direction, current);
+      const double gain = current - next;
+      current = next;
+      if (!(gain > least_gain * current)) break;
+    }
+    return current;
+  }
+
+  void find_direction(Eigen::VectorXd& gradient, Eigen::VectorXd& direction) const {
+    constexpr double tolerance = 1e-3;
+    constexpr int most_iterations = 200; // any number gives a way down
+    constexpr Eigen::Index most_direct = 10000;
+    const Eigen::Index n = Eigen::Index(number_of_unknowns());
+    gradient = Eigen::VectorXd::Zero(n);
+    std::vector<Eigen::Triplet<double>> entries;
+    entries.reserve(100 * m_cells.size());
+    for (std::size_t c = 0; c < m_cells.size(); ++c) add_cell(c, gradient, entries);
+    Eigen::SparseMatrix<double> hessian(n, n);
+    hessian.setFromTriplets(entries.begin(), entries.end());
+    if (n <= most_direct) {
+      Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver(hessian);
+      direction = solver.solve(-gradient);
+      if (solver.info() == Eigen::Success && gradient.dot(direction) < 0) return;
+    }
+    Eigen::ConjugateGradient<Eigen::SparseMatrix<double>, Eigen::Lower | Eigen::Upper> solver;
+    solver.setTolerance(tolerance);
+    solver.setMaxIterations(most_iterations);
+    direction = solver.compute(hessian).solve(-gradient);
+  }
+
+  // Moves the free vertices to less energy; returns it.
+  double descend(double slope, const Eigen::VectorXd& direction, double current) {
+    constexpr double sufficient = 1e-4, least_step = 1e-6;
+    const std::vector<Eigen::Vector3d> start = m_positions;
+    for (double s = 1; s > least_step && slope < 0; s /= 2) {
+      for (std::size_t i = 0; i < m_free.size(); ++i)
+        m_positions[m_free[i]] = start[m_free[i]] + s * direction.segment<3>(3 * i);
+      const double next = value();
+      if (next <= current + sufficient * s * slope) return next;
+    }
+    m_positions = start;
+    return current;
+  }
+
+  double least_determinant() const {
+    double least = infinity;
+    for (std::size_t c = 0; c < m_cells.size(); ++c) least = (std::min)(least, determinant(c));
+    return least;
+  }
+
+  double determinant(std::size_t c) const { return (edges(m_cells[c], m_positions) * m_inverse_rests[c]).determinant(); }
+
+  void add_cell(std::size_t c, Eigen::VectorXd& gradient, std::vector<Eigen::Triplet<double>>& entries) const {
+    const State state(*this, c);
+    const double chi = state.chi, slope = state.slope, d = state.determinant, share = std::pow(chi, -2. / 3);
+    const double angles = state.jacobian.squaredNorm() * share, volumes = (d * d + 1) / chi;
+    const double by_determinant = (lambda * (2 * d - volumes * slope) - 2. / 3 * angles * slope) / chi;
+    const double mixed = -4. / 3 * share * slope / chi;
+    const double twice = (10. / 9 * angles * slope * slope + lambda * (2 * chi - 4 * d * slope + 2 * volumes * slope * slope)) / (chi * chi);
+    Eigen::Matrix<double, 3, 4> gradients; // of the barycentric coordinates
+    gradients.rightCols<3>() = m_inverse_rests[c].transpose();
+    gradients.col(0) = -gradients.rightCols<3>().rowwise().sum();
+    const Eigen::Matrix<double, 3, 4> jg = state.jacobian * gradients, cg = state.cofactors * gradients;
+    for (int k = 0; k < 4; ++k) {
+      const std::uint32_t row = m_unknown[m_cells[c][k]];
+      if (row == no_unknown) continue;
+      gradient.segment<3>(3 * row) += 2 * share * jg.col(k) + by_determinant * cg.col(k);
+      for (int l = 0; l < 4; ++l) {
+        const std::uint32_t column = m_unknown[m_cells[c][l]];
+        if (column == no_unknown) continue;
+        const Eigen::Matrix3d block = 2 * share * gradients.col(k).dot(gradients.col(l)) * Eigen::Matrix3d::Identity() +
+                                      mixed * (jg.col(k) * cg.col(l).transpose() + cg.col(k) * jg.col(l).transpose()) +
+                                      twice * cg.col(k) * cg.col(l).transpose();
+        for (int i = 0; i < 3; ++i)
+          for (int j = 0; j < 3; ++j) entries.emplace_back(3 * row + i, 3 * column + j, block(i, j));
+      }
+    }
+  }
+
+  std::vector<Cell> m_cells;
+  std::vector<Eigen::Vector3d>& m_positions;
+  std::vector<std::uint32_t> m_unknown, m_free;
+  std::vector<Eigen::Matrix3d> m_inverse_rests;
+  double m_epsilon = 1;
+};
+
+} // namespace internal
+} // namespace Volume_mesh_parameterization
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_FOLDOVER_FREE_ENERGY_H
