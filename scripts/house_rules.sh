@@ -101,6 +101,7 @@ package_of() {
   Eigen_*.h) say Solver_interface ;;
   boost/graph/*) say BGL ;;
   Surface_mesh.h | Surface_mesh/*) say Surface_mesh ;;
+  Polygon_2_algorithms.h) say Polygon ;;
   Polygon_mesh_processing/*) say Polygon_mesh_processing ;;
   IO/polygon_soup_io.h) say Stream_support ;;
   Unique_hash_map.h) say Hash_map ;;

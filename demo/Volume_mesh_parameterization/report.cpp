@@ -164,6 +164,7 @@ Json report_untangling(const VMP::Untangling_report& report) {
           {"flipped_at_end", report.flipped_at_end},
           {"rounds", report.rounds},
           {"bisected_edges_inside", report.bisected_edges},
+          {"newton_steps", report.work},
           {"relaxed_clusters", report.relaxed_clusters}};
 }
 

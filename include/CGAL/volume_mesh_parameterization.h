@@ -17,6 +17,7 @@
 
 #include <CGAL/Volume_mesh_parameterization/Averaged_gradient_field_3.h>
 #include <CGAL/Volume_mesh_parameterization/Base_point_3.h>
+#include <CGAL/Volume_mesh_parameterization/Boundary_images_3.h>
 #include <CGAL/Volume_mesh_parameterization/Boundary_map_3.h>
 #include <CGAL/Volume_mesh_parameterization/Boundary_partition_3.h>
 #include <CGAL/Volume_mesh_parameterization/Cell_locator_3.h>
@@ -34,14 +35,17 @@
 #include <CGAL/Volume_mesh_parameterization/Hexahedron_soup_3.h>
 #include <CGAL/Volume_mesh_parameterization/Integral_curve_3.h>
 #include <CGAL/Volume_mesh_parameterization/Partition_search_3.h>
+#include <CGAL/Volume_mesh_parameterization/Piecewise_linear_map_3.h>
 #include <CGAL/Volume_mesh_parameterization/Polycube_3.h>
 #include <CGAL/Volume_mesh_parameterization/Polygon_soup_3.h>
 #include <CGAL/Volume_mesh_parameterization/Prism_3.h>
 #include <CGAL/Volume_mesh_parameterization/Product_map_3.h>
 #include <CGAL/Volume_mesh_parameterization/Product_structure_3.h>
+#include <CGAL/Volume_mesh_parameterization/Sweep_guide_3.h>
 #include <CGAL/Volume_mesh_parameterization/Tetrahedron_soup_3.h>
 #include <CGAL/Volume_mesh_parameterization/Triangle_soup_3.h>
 #include <CGAL/Volume_mesh_parameterization/Triangulation_cells_3.h>
+#include <CGAL/Volume_mesh_parameterization/Untangling_report.h>
 #include <CGAL/Volume_mesh_parameterization/Weighted_statistics.h>
 #include <CGAL/Volume_mesh_parameterization/check_surface.h>
 #include <CGAL/Volume_mesh_parameterization/check_tetrahedral_mesh.h>

@@ -54,5 +54,14 @@ computes the point of the floor whose image is `foot`. May be called by several 
 */
 CGAL::Volume_mesh_parameterization::Status preimage(const Domain::Floor_point& foot, CGAL::Volume_mesh_parameterization::Base_point_3<Geom_traits>& p) const;
 
+/*!
+extends the map to the whole boundary of `mesh`, for which `build()` has succeeded. `images` are those of the vertices of `mesh`
+along curves, as a guide. The floor map may change so that both agree. Only `make_piecewise_linear()` needs this function.
+\returns why there is no such map; then nothing is changed
+*/
+CGAL::Volume_mesh_parameterization::Status map_boundary(const CGAL::Volume_mesh_parameterization::Compact_tetrahedral_mesh_3<Geom_traits>& mesh,
+                                                        const std::vector<Geom_traits::Point_3>& images,
+                                                        CGAL::Volume_mesh_parameterization::Boundary_images_3<Geom_traits>& boundary);
+
 /// @}
 };

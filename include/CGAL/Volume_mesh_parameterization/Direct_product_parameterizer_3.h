@@ -44,8 +44,9 @@ public:
   using Floor_map = FloorMap;
   using Product_map = Product_map_3<GeomTraits, FloorMap>;
 
+  Direct_product_parameterizer_3() = default;
   /// \param floor_map what is to map the floor; a `Boundary_map_3` knows the polycube and the images of the boundary
-  explicit Direct_product_parameterizer_3(FloorMap floor_map = FloorMap()) : m_floor_map(std::move(floor_map)) {}
+  explicit Direct_product_parameterizer_3(FloorMap floor_map) : m_floor_map(std::move(floor_map)) {}
 
   /*!
   runs all stages. The object may be used once.

@@ -12,6 +12,7 @@
 
 #include <CGAL/Volume_mesh_parameterization/Boundary_images_3.h>
 #include <CGAL/Volume_mesh_parameterization/Product_map_3.h>
+#include <CGAL/Volume_mesh_parameterization/Untangling_report.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Bisected_mesh.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Untangler.h>
 #include <CGAL/Volume_mesh_parameterization/parameters.h>

@@ -82,7 +82,11 @@ infinity: it does not matter how the surface is cut into polygons, which way the
 more of them inside, as in a file of unit cubes; cavities are filled. Labels of polygons become those of the boundary
 facets in the places that they cover, or that they lie in.
 
+\tparam GeomTraits a model of `VolumeParameterizationTraits_3`
+
 \param surface simple polygons that are orthogonal to an axis
+\param mesh receives the mesh; on failure it is left as it was
+\param number_of_cells about how many tetrahedra are wanted; there may be more if the polycube has many planes
 
 \returns `ERROR_NOT_A_POLYCUBE` if a facet is orthogonal to no axis; `ERROR_OPEN_SURFACE` if a facet has the outside on both
 sides; and the errors of the function above

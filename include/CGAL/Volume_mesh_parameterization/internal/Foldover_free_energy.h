@@ -10,7 +10,6 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
-#include <CGAL/number_utils.h>
 
 #include <Eigen/Dense>
 #include <Eigen/IterativeLinearSolvers>
@@ -55,20 +54,26 @@ public:
   }
 
   std::size_t number_of_unknowns() const { return 3 * m_free.size(); }
+  // Newton steps so far.
+  std::size_t number_of_steps() const { return m_steps; }
 
-  // Lessens the energy while epsilon falls, until no determinant is negative or most_rounds are over. In the paper, eq. (8),
+  // Lessens the energy while epsilon falls, until all determinants are positive, or most_rounds are over or some in a row were idle. In the paper, eq. (8),
   // epsilon falls by a tenth at least; for small parts by half is as safe and far quicker. Returns whether all are positive.
   bool untangle(double epsilon, int most_rounds) {
-    constexpr int steps_per_round = 5;
+    constexpr int steps_per_round = 5, most_idle_rounds = 8;
     constexpr double least_gain = 1e-4, least_fall = 0.5;
-    for (int round = 0; round < most_rounds && least_determinant() <= 0; ++round) {
+    std::size_t fewest = count_negative();
+    for (int round = 0, idle = 0; round < most_rounds && fewest > 0 && idle < most_idle_rounds; ++round) {
       m_epsilon = epsilon;
       const double before = value();
       const double gain = (std::max)(1 - minimize(steps_per_round, least_gain) / before, least_fall);
       const double least = least_determinant(), root = std::hypot(least, epsilon);
-      epsilon *= least >= 0 ? 1 - gain : 1 - gain * root / (CGAL::abs(least) + root);
+      epsilon *= least >= 0 ? 1 - gain : 1 - gain * root / (std::abs(least) + root);
+      const std::size_t negative = count_negative();
+      idle = negative < fewest ? 0 : idle + 1;
+      fewest = (std::min)(fewest, negative);
     }
-    return least_determinant() > 0;
+    return fewest == 0;
   }
 
   // Lessens the energy of positive tetrahedra, which stay positive.
@@ -146,6 +151,7 @@ private:
   double minimize(int most_steps, double least_gain) {
     double current = value();
     for (int i = 0; i < most_steps; ++i) {
+      ++m_steps;
       Eigen::VectorXd gradient, direction;
       find_direction(gradient, direction);
       const double next = descend(gradient.dot(direction), direction, current);
@@ -200,6 +206,12 @@ private:
 
   double determinant(std::size_t c) const { return (edges(m_cells[c], m_positions) * m_inverse_rests[c]).determinant(); }
 
+  std::size_t count_negative() const {
+    std::size_t n = 0;
+    for (std::size_t c = 0; c < m_cells.size(); ++c) n += !(determinant(c) > 0);
+    return n;
+  }
+
   void add_cell(std::size_t c, Eigen::VectorXd& gradient, std::vector<Eigen::Triplet<double>>& entries) const {
     const State state(*this, c);
     const double chi = state.chi, slope = state.slope, d = state.determinant, share = std::pow(chi, -2. / 3);
@@ -232,6 +244,7 @@ private:
   std::vector<std::uint32_t> m_unknown, m_free;
   std::vector<Eigen::Matrix3d> m_inverse_rests;
   double m_epsilon = 1;
+  std::size_t m_steps = 0;
 };
 
 } // namespace internal

@@ -51,6 +51,8 @@ public:
   const Splittable_mesh<GeomTraits>& mesh() const { return m_refinable.mesh(); }
   const std::vector<Position>& images() const { return m_images; }
   const std::vector<std::array<Vertex_index, 2>>& bisected_edges() const { return m_bisected_edges; }
+  // Newton steps of cells so far.
+  double work() const { return m_work; }
   bool is_fixed(std::size_t v) const { return m_is_fixed[v] != 0; }
   void set_image(std::size_t v, const Position& image) { m_images[v] = image; }
 
@@ -141,12 +143,18 @@ public:
     return cells;
   }
 
+  enum Start { AS_IT_IS, SMOOTHED };
+
   // Moves the vertices inside of some cells so that fewer of these are flipped; returns how many are left.
-  std::size_t untangle(const std::vector<Cell_index>& cells, double epsilon, int most_rounds) {
+  std::size_t untangle(const std::vector<Cell_index>& cells, Start start, int most_rounds) {
+    constexpr double epsilon = 0.3; // at first
     Part part(*this, cells);
     const std::size_t before = count_flipped(cells);
     if (part.number_of_free() == 0) return before;
-    part.energy().untangle(epsilon, most_rounds);
+    if (start == SMOOTHED) part.smooth();
+    Foldover_free_energy energy = part.energy();
+    energy.untangle(epsilon, most_rounds);
+    m_work += double(energy.number_of_steps()) * double(cells.size());
     const std::vector<Position> old = part.swap_images(*this);
     const std::size_t after = count_flipped(cells);
     if (after < before) return after;
@@ -208,6 +216,26 @@ private:
     std::size_t number_of_free() const { return std::count(m_is_free.begin(), m_is_free.end(), 1); }
     Foldover_free_energy energy() { return {m_cells, m_rest, m_is_free, m_positions}; }
 
+    // Moves each free vertex to the mean of its neighbors, again and again: far from where it was tangled.
+    void smooth() {
+      constexpr int sweeps = 50;
+      std::vector<Position> sums(m_vertices.size());
+      std::vector<int> counts(m_vertices.size());
+      for (int k = 0; k < sweeps; ++k) {
+        std::fill(sums.begin(), sums.end(), Position::Zero());
+        std::fill(counts.begin(), counts.end(), 0);
+        for (const auto& cell : m_cells)
+          for (int i = 0; i < 4; ++i)
+            for (int j = 0; j < 4; ++j) {
+              if (i == j) continue;
+              sums[cell[i]] += m_positions[cell[j]];
+              ++counts[cell[i]];
+            }
+        for (std::size_t v = 0; v < m_vertices.size(); ++v)
+          if (m_is_free[v]) m_positions[v] = sums[v] / counts[v];
+      }
+    }
+
     // Writes the positions to the map; returns the old ones.
     std::vector<Position> swap_images(Interior_mapper& mapper) const {
       std::vector<Position> old;
@@ -243,6 +271,7 @@ private:
   std::vector<Position> m_points, m_images; // of the vertices
   std::vector<char> m_is_fixed;             // vertices on the boundary
   std::vector<std::array<Vertex_index, 2>> m_bisected_edges;
+  double m_work = 0;
   std::vector<char> m_is_in;                // cells, scratch
 };
 

@@ -10,6 +10,7 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
+#include <CGAL/Volume_mesh_parameterization/Untangling_report.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Interior_mapper.h>
 #include <CGAL/Volume_mesh_parameterization/internal/geometric_order.h>
 
@@ -20,20 +21,6 @@
 
 namespace CGAL {
 namespace Volume_mesh_parameterization {
-
-/*!
-\ingroup PkgVolumeMeshParameterizationMap
-
-tells what it took to find a map of tetrahedra without flips.
-*/
-struct Untangling_report {
-  std::size_t flipped_at_start = 0; ///< flipped or flat tetrahedra of the first map of the interior
-  std::size_t flipped_at_end = 0;   ///< those that resisted
-  std::size_t rounds = 0;           ///< passes over the clusters of flipped tetrahedra
-  std::size_t bisected_edges = 0;   ///< edges inside that were bisected where tetrahedra resisted
-  std::size_t relaxed_clusters = 0; ///< clusters of badly distorted tetrahedra that were relaxed
-  bool starts_along_curves = false; ///< whether the first map of the interior was that along curves, else the harmonic one
-};
 
 namespace internal {
 
@@ -46,45 +33,67 @@ class Untangler {
 public:
   using Mapper = Interior_mapper<GeomTraits>;
   using Cells = std::vector<Cell_index>;
+  using Edge = std::array<Vertex_index, 2>;
 
   Untangler(Mapper& mapper, Visitor& visitor, Untangling_report& report)
       : m_mapper(mapper), m_visitor(visitor), m_report(report) {}
 
   // Ends when nothing is flipped, or when some rounds in a row have not lessened the number of flips, or when the mesh has
-  // grown too much.
+  // grown too much, or when the work is too much.
   Status run() {
     constexpr std::size_t most_idle_rounds = 4;
-    constexpr double most_growth = 1.2;
-    const double most_cells = most_growth * double(m_mapper.mesh().number_of_cells());
+    constexpr double most_growth = 1.2, most_added_anyway = 10000; // cells
+    const double cells = double(m_mapper.mesh().number_of_cells());
+    const double most_cells = (std::max)(most_growth * cells, cells + most_added_anyway);
+    const double most_work = (std::max)(least_bound, most_steps_per_cell * cells);
     Cells flipped = m_mapper.find_flipped();
     m_report.flipped_at_start = m_report.flipped_at_end = flipped.size();
     for (std::size_t idle = 0; !flipped.empty() && idle < most_idle_rounds;) {
       const std::size_t before = m_report.flipped_at_end;
       ++m_report.rounds;
       for (int rings : {2, 4}) {
-        if (!untangle_clusters(flipped, rings)) return {ERROR_CANCELLED, "untangling"};
+        const Status status = untangle_clusters(flipped, rings, most_work);
+        if (!status.ok()) return status;
         flipped = m_mapper.find_flipped();
       }
       m_report.flipped_at_end = (std::min)(before, flipped.size());
       idle = flipped.size() < before ? 0 : idle + 1;
-      if (flipped.empty() || double(m_mapper.mesh().number_of_cells()) > most_cells) break;
+      if (flipped.empty() || double(m_mapper.mesh().number_of_cells()) > most_cells || m_mapper.work() > most_work)
+        break;
       refine(flipped);
       flipped = m_mapper.find_flipped();
     }
     m_report.flipped_at_end = flipped.size();
+    m_report.work = m_mapper.work() / cells;
     if (flipped.empty()) return {};
     return {ERROR_MAP_NOT_BIJECTIVE,
             std::to_string(flipped.size()) + " tetrahedra resist, among them " + std::to_string(flipped[0])};
   }
 
-  // Relaxes where the distortion is bad.
+  // Relaxes where the distortion is bad, a few times.
   Status polish() {
+    constexpr int most_rounds = 4;
+    Status status;
+    for (int round = 0; round < most_rounds && status.ok(); ++round) status = polish(worst_cells());
+    return status;
+  }
+
+private:
+  // Bounds on the number of Newton steps of cells: for each cell of the mesh (what succeeds takes less than 60), and for
+  // small meshes.
+  static constexpr double most_steps_per_cell = 200, least_bound = 1e7;
+
+  Cells worst_cells() const {
     constexpr double bad = 20; // energy of a cell; 3.2 without distortion
-    constexpr int rings = 2, most_steps = 10;
     const std::vector<double> energies = m_mapper.energies();
     Cells worst;
     for (std::size_t c = 0; c < energies.size(); ++c)
       if (energies[c] > bad) worst.emplace_back(c);
+    return worst;
+  }
+
+  Status polish(const Cells& worst) {
+    constexpr int rings = 2, most_steps = 10;
     const std::vector<Cells> parts = clusters(worst);
     for (std::size_t k = 0; k < parts.size(); ++k) {
       if (!m_visitor.advance(k, parts.size())) return {ERROR_CANCELLED, "relaxing"};
@@ -94,18 +103,17 @@ public:
     return {};
   }
 
-private:
-  bool untangle_clusters(const Cells& flipped, int rings) {
-    constexpr double small = 0.3, large = 1; // first epsilons
+  Status untangle_clusters(const Cells& flipped, int rings, double most) {
     constexpr int most_rounds = 20;
     const std::vector<Cells> parts = clusters(flipped);
-    for (std::size_t k = 0; k < parts.size(); ++k) {
-      if (!m_visitor.advance(k, parts.size())) return false;
+    for (std::size_t k = 0; k < parts.size() && m_mapper.work() <= most; ++k) {
+      if (!m_visitor.advance(k, parts.size())) return {ERROR_CANCELLED, "untangling"};
       if (m_mapper.count_flipped(parts[k]) == 0) continue; // with a neighbour
       const Cells cells = m_mapper.neighborhood(parts[k], rings);
-      if (m_mapper.untangle(cells, small, most_rounds) > 0) m_mapper.untangle(cells, large, most_rounds);
+      if (m_mapper.untangle(cells, Mapper::AS_IT_IS, most_rounds) > 0)
+        m_mapper.untangle(cells, Mapper::SMOOTHED, most_rounds);
     }
-    return true;
+    return {};
   }
 
   // Cells that share vertices are in one cluster.
@@ -129,19 +137,33 @@ private:
     return result;
   }
 
-  // Bisects the edges of the cells that are not on the boundary, the longest first.
-  void refine(const Cells& cells) {
-    std::vector<std::array<Vertex_index, 2>> edges;
+  // Bisects edges inside that join boundary vertices around the flipped cells, or if there are none, all edges inside of the
+  // flipped ones: those are what leaves no room.
+  void refine(const Cells& flipped) {
+    constexpr int rings = 2;
+    const auto is_inside = [this](Vertex_index a, Vertex_index b) { return !m_mapper.is_boundary_edge(a, b); };
+    const auto is_chord = [&](Vertex_index a, Vertex_index b) {
+      return m_mapper.is_fixed(a) && m_mapper.is_fixed(b) && is_inside(a, b);
+    };
+    std::vector<Edge> edges = edges_of(m_mapper.neighborhood(flipped, rings), is_chord);
+    if (edges.empty()) edges = edges_of(flipped, is_inside);
+    for (const auto& [a, b] : edges) m_report.bisected_edges += m_mapper.bisect(a, b).ok();
+  }
+
+  // The longest first.
+  template <typename Predicate>
+  std::vector<Edge> edges_of(const Cells& cells, const Predicate& is_wanted) const {
+    std::vector<Edge> edges;
     for (Cell_index c : cells)
       for (const auto& e : Compact_tetrahedral_mesh_3<GeomTraits>::edge_vertices) {
         const auto& cell = m_mapper.mesh().cell(c);
         const Vertex_index a = (std::min)(cell[e[0]], cell[e[1]]), b = (std::max)(cell[e[0]], cell[e[1]]);
-        if (!m_mapper.is_boundary_edge(a, b)) edges.push_back({a, b});
+        if (is_wanted(a, b)) edges.push_back({a, b});
       }
     std::sort(edges.begin(), edges.end());
     edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
     sort_longest_first(edges, [this](Vertex_index v) { return approximate(m_mapper.mesh().point(v)); });
-    for (const auto& [a, b] : edges) m_report.bisected_edges += m_mapper.bisect(a, b).ok();
+    return edges;
   }
 
   Mapper& m_mapper;

@@ -1,0 +1,106 @@
+#undef NDEBUG
+#include <CGAL/Volume_mesh_parameterization/internal/Foldover_free_energy.h>
+
+#include <cassert>
+#include <cmath>
+#include <cstdlib>
+#include <iostream>
+#include <random>
+#include <vector>
+
+namespace VMP = CGAL::Volume_mesh_parameterization;
+using Energy = VMP::internal::Foldover_free_energy;
+using Position = Eigen::Vector3d;
+
+// A grid of n^3 cubes, each cut into six tetrahedra.
+struct Grid {
+  explicit Grid(int n) : size(n + 1) {
+    for (int x = 0; x <= n; ++x)
+      for (int y = 0; y <= n; ++y)
+        for (int z = 0; z <= n; ++z) {
+          points.push_back(Position(x, y, z));
+          is_inside.push_back(x > 0 && y > 0 && z > 0 && x < n && y < n && z < n);
+        }
+    const int paths[6][3] = {{0, 1, 2}, {1, 2, 0}, {2, 0, 1}, {0, 2, 1}, {2, 1, 0}, {1, 0, 2}};
+    for (int x = 0; x < n; ++x)
+      for (int y = 0; y < n; ++y)
+        for (int z = 0; z < n; ++z)
+          for (int k = 0; k < 6; ++k) add_cell({x, y, z}, paths[k], k >= 3);
+  }
+
+  void add_cell(std::array<int, 3> site, const int* path, bool is_odd) {
+    Energy::Cell cell;
+    cell[0] = number(site);
+    for (int i = 0; i < 3; ++i) {
+      ++site[path[i]];
+      cell[i + 1] = number(site);
+    }
+    if (is_odd) std::swap(cell[2], cell[3]);
+    cells.push_back(cell);
+  }
+
+  std::uint32_t number(const std::array<int, 3>& s) const { return std::uint32_t((s[0] * size + s[1]) * size + s[2]); }
+
+  std::size_t count_flipped(const std::vector<Position>& p) const {
+    std::size_t n = 0;
+    for (const auto& c : cells) {
+      Eigen::Matrix3d e;
+      for (int k = 0; k < 3; ++k) e.col(k) = p[c[k + 1]] - p[c[0]];
+      n += !(e.determinant() > 0);
+    }
+    return n;
+  }
+
+  int size;
+  std::vector<Position> points;
+  std::vector<char> is_inside;
+  std::vector<Energy::Cell> cells;
+};
+
+// At rest each cell has the least energy, 3 + 2 lambda.
+void test_rest() {
+  const Grid grid(2);
+  std::vector<Position> positions = grid.points;
+  Energy energy(grid.cells, grid.points, grid.is_inside, positions);
+  energy.polish(0);
+  for (std::size_t c = 0; c < grid.cells.size(); ++c) assert(std::abs(energy.value(c) - 3.2) < 1e-12);
+}
+
+// Vertices anywhere inside: the convex boundary has a map without flips, and it is found.
+void test_untangle() {
+  for (unsigned seed = 1; seed <= 5; ++seed) {
+    const Grid grid(5);
+    std::vector<Position> positions = grid.points;
+    std::mt19937 random(seed);
+    for (std::size_t v = 0; v < positions.size(); ++v)
+      if (grid.is_inside[v])
+        for (int k = 0; k < 3; ++k) positions[v][k] = 5. * random() / random.max();
+    const std::vector<Position> start = positions;
+    assert(grid.count_flipped(positions) > 50);
+    Energy energy(grid.cells, grid.points, grid.is_inside, positions);
+    assert(energy.untangle(.3, 60));
+    assert(grid.count_flipped(positions) == 0);
+    for (std::size_t v = 0; v < positions.size(); ++v) assert(grid.is_inside[v] || positions[v] == start[v]);
+    // nothing else is as good as the grid itself
+    energy.polish(100);
+    for (std::size_t v = 0; v < positions.size(); ++v) assert((positions[v] - grid.points[v]).norm() < .05);
+  }
+}
+
+// A vertex that would have to be on both sides of a plane: no map, and an end.
+void test_hopeless() {
+  const Grid grid(3);
+  std::vector<Position> positions = grid.points;
+  for (Position& p : positions) p[0] = -p[0];
+  Energy energy(grid.cells, grid.points, grid.is_inside, positions);
+  assert(!energy.untangle(.3, 20));
+  assert(energy.number_of_steps() <= 100);
+}
+
+int main() {
+  test_rest();
+  test_untangle();
+  test_hopeless();
+  std::cout << "done" << std::endl;
+  return EXIT_SUCCESS;
+}
