@@ -124,7 +124,8 @@ public:
 
 private:
   // At level 0. The vertices of a side are on its plane.
-  Axis_aligned_map axis_aligned_map(Fixed_planes fixed, std::vector<std::array<int, 4>>& planes_of_rims) const {
+  Axis_aligned_map axis_aligned_map(Fixed_planes fixed,
+                                    std::vector<std::array<int, 4>>& planes_of_rims) const {
     Axis_aligned_map map;
     for (const Point_2& p : images) map.images.emplace_back(p.x(), p.y(), 0);
     map.frames.assign(surface.number_of_triangles(), Plane_frame());

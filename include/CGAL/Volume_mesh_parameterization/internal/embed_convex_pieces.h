@@ -26,8 +26,9 @@ the image of triangle k, `count_flipped()` counts those that are not positive by
 */
 template <typename Point, typename Area, typename CountFlipped>
 Status embed_convex_pieces(const std::vector<std::array<std::uint32_t, 3>>& triangles,
-                           const std::vector<Double_kernel::Point_3>& points, const std::vector<char>& is_fixed,
-                           const Area& area, const CountFlipped& count_flipped, std::vector<Point>& images) {
+                           const std::vector<Double_kernel::Point_3>& points,
+                           const std::vector<char>& is_fixed, const Area& area,
+                           const CountFlipped& count_flipped, std::vector<Point>& images) {
   constexpr int most_attempts = 30;
   Status status = tutte_embedding(triangles, is_fixed, Mean_value_weights{points}, images);
   if (!status.ok() || count_flipped() == 0) return status;
