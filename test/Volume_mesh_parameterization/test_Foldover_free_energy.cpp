@@ -39,7 +39,9 @@ struct Grid {
     cells.push_back(cell);
   }
 
-  std::uint32_t number(const std::array<int, 3>& s) const { return std::uint32_t((s[0] * size + s[1]) * size + s[2]); }
+  std::uint32_t number(const std::array<int, 3>& s) const {
+    return std::uint32_t((s[0] * size + s[1]) * size + s[2]);
+  }
 
   std::size_t count_flipped(const std::vector<Position>& p) const {
     std::size_t n = 0;

@@ -74,7 +74,8 @@ void test_isometry() {
   assert(std::abs(energy - 4) < 1e-9);
   assert(box.map.count_flipped(box.triangles) == 0);
   const double size[3] = {3, 2, 1};
-  for (const auto& plane : box.map.planes) assert(plane.value == 0 || std::abs(plane.value - size[plane.axis]) < 1e-6);
+  for (const auto& plane : box.map.planes)
+    assert(plane.value == 0 || std::abs(plane.value - size[plane.axis]) < 1e-6);
 }
 
 // Fixed planes stay, exactly; vertices stay on planes.
@@ -88,7 +89,8 @@ void test_fixed() {
   box.map.snap_to_planes();
   const auto before = box.map;
   relax_axis_aligned_map(TO_MINIMUM, box.triangles, box.points, box.map);
-  for (std::size_t p = 0; p < before.planes.size(); ++p) assert(box.map.planes[p].value == before.planes[p].value);
+  for (std::size_t p = 0; p < before.planes.size(); ++p)
+    assert(box.map.planes[p].value == before.planes[p].value);
   for (const auto& t : box.triangles)
     for (std::uint32_t v : t)
       for (int axis = 0; axis < 3; ++axis)

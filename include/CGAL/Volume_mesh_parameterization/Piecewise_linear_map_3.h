@@ -63,8 +63,9 @@ public:
   progress is given up.
   */
   template <typename Visitor>
-  Status build(const Mesh& mesh, const std::vector<Cell_index>& order, const Boundary_images_3<GeomTraits>& boundary,
-               const std::vector<Point_3>& curve_images, Visitor& visitor) {
+  Status build(const Mesh& mesh, const std::vector<Cell_index>& order,
+               const Boundary_images_3<GeomTraits>& boundary, const std::vector<Point_3>& curve_images,
+               Visitor& visitor) {
     *this = Piecewise_linear_map_3();
     internal::Interior_mapper<GeomTraits> mapper(mesh, order);
     Status status = map_boundary(boundary, mapper);
@@ -115,7 +116,8 @@ private:
     return {CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())};
   }
 
-  static Status map_boundary(const Boundary_images_3<GeomTraits>& boundary, internal::Interior_mapper<GeomTraits>& mapper) {
+  static Status map_boundary(const Boundary_images_3<GeomTraits>& boundary,
+                             internal::Interior_mapper<GeomTraits>& mapper) {
     Status status;
     for (const auto& [v, w] : boundary.bisected_edges)
       if (status.ok()) status = mapper.bisect(v, w);
@@ -183,7 +185,8 @@ Status make_piecewise_linear(Parameterizer& solid, Piecewise_linear_map_3<GeomTr
                                       [&] { return solid.template map_boundary<ConcurrencyTag>(boundary); });
   if (!status.ok()) return status;
   return internal::run_stage(visitor, "untangle", [&] {
-    return result.build(solid.mesh(), solid.product_structure()->order(), boundary, solid.vertex_images(), visitor);
+    return result.build(solid.mesh(), solid.product_structure()->order(), boundary, solid.vertex_images(),
+                        visitor);
   });
 }
 

@@ -25,9 +25,10 @@ struct Untangling_report {
   std::size_t flipped_at_end = 0;   ///< those that resisted
   std::size_t rounds = 0;           ///< passes over the clusters of flipped tetrahedra
   std::size_t bisected_edges = 0;   ///< edges inside that were bisected where tetrahedra resisted
-  double work = 0; ///< Newton steps of cells over the number of cells of the mesh
+  double work = 0;                  ///< Newton steps of cells over the number of cells of the mesh
   std::size_t relaxed_clusters = 0; ///< clusters of badly distorted tetrahedra that were relaxed
-  bool starts_along_curves = false; ///< whether the first map of the interior was that along curves, else the harmonic one
+  bool starts_along_curves =
+      false; ///< whether the first map of the interior was that along curves, else the harmonic one
 };
 
 } // namespace Volume_mesh_parameterization

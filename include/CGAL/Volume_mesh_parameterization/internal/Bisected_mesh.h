@@ -62,7 +62,8 @@ private:
   static Combination mean(const Combination& a, const Combination& b) {
     Combination result = a;
     for (const Term& t : b) {
-      const auto same = std::find_if(result.begin(), result.end(), [&](const Term& u) { return u.first == t.first; });
+      const auto same =
+          std::find_if(result.begin(), result.end(), [&](const Term& u) { return u.first == t.first; });
       if (same == result.end())
         result.push_back(t);
       else
@@ -75,7 +76,8 @@ private:
   Cell_index cell_with(const std::vector<Vertex_index>& corners) const {
     const auto& star = m_stars.cells(corners[0]);
     return *std::find_if(star.begin(), star.end(), [&](Cell_index c) {
-      return std::all_of(corners.begin(), corners.end(), [&](Vertex_index v) { return m_mesh.index(c, v) >= 0; });
+      return std::all_of(corners.begin(), corners.end(),
+                         [&](Vertex_index v) { return m_mesh.index(c, v) >= 0; });
     });
   }
 

@@ -74,7 +74,8 @@ private:
     constexpr double share = 0.01; // of the solid's own shape, so that no triangle of the picture degenerates
     if (m_number[v] == Refined_surface::none) {
       const Double_kernel::Point_3 flat(picture[v].x(), picture[v].y(), 0);
-      m_number[v] = m_ceiling.surface.add_vertex(flat + share * (m_surface.surface.points()[v] - CGAL::ORIGIN));
+      m_number[v] =
+          m_ceiling.surface.add_vertex(flat + share * (m_surface.surface.points()[v] - CGAL::ORIGIN));
       m_vertices.push_back(v);
     }
     return m_number[v];
@@ -85,8 +86,8 @@ private:
     std::vector<Id> loop = wall_rim(m_surface, wall.label, CEILING, wall.top[0]);
     std::array<Id, 4> corners = wall.top;
     const auto& c = wall.corners;
-    const bool is_clockwise =
-        CGAL::orientation(Point_2(c[0][0], c[0][1]), Point_2(c[1][0], c[1][1]), Point_2(c[2][0], c[2][1])) == RIGHT_TURN;
+    const bool is_clockwise = CGAL::orientation(Point_2(c[0][0], c[0][1]), Point_2(c[1][0], c[1][1]),
+                                                Point_2(c[2][0], c[2][1])) == RIGHT_TURN;
     if (is_clockwise) {
       std::reverse(loop.begin() + 1, loop.end());
       std::swap(corners[1], corners[3]);

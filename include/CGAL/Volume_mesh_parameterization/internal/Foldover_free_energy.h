@@ -10,7 +10,6 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
-
 #include <Eigen/Dense>
 #include <Eigen/IterativeLinearSolvers>
 #include <Eigen/Sparse>
@@ -131,7 +130,8 @@ private:
       cofactors << j.col(1).cross(j.col(2)), j.col(2).cross(j.col(0)), j.col(0).cross(j.col(1));
       determinant = j.col(0).dot(cofactors.col(0));
       const double e = energy.m_epsilon, root = std::sqrt(e * e + determinant * determinant);
-      chi = determinant > 0 ? (determinant + root) / 2 : e * e / (2 * (root - determinant)); // stable for both signs
+      chi = determinant > 0 ? (determinant + root) / 2
+                            : e * e / (2 * (root - determinant)); // stable for both signs
       slope = chi / root;
     }
 
@@ -204,7 +204,9 @@ private:
     return least;
   }
 
-  double determinant(std::size_t c) const { return (edges(m_cells[c], m_positions) * m_inverse_rests[c]).determinant(); }
+  double determinant(std::size_t c) const {
+    return (edges(m_cells[c], m_positions) * m_inverse_rests[c]).determinant();
+  }
 
   std::size_t count_negative() const {
     std::size_t n = 0;
@@ -212,13 +214,16 @@ private:
     return n;
   }
 
-  void add_cell(std::size_t c, Eigen::VectorXd& gradient, std::vector<Eigen::Triplet<double>>& entries) const {
+  void add_cell(std::size_t c, Eigen::VectorXd& gradient,
+                std::vector<Eigen::Triplet<double>>& entries) const {
     const State state(*this, c);
     const double chi = state.chi, slope = state.slope, d = state.determinant, share = std::pow(chi, -2. / 3);
     const double angles = state.jacobian.squaredNorm() * share, volumes = (d * d + 1) / chi;
     const double by_determinant = (lambda * (2 * d - volumes * slope) - 2. / 3 * angles * slope) / chi;
     const double mixed = -4. / 3 * share * slope / chi;
-    const double twice = (10. / 9 * angles * slope * slope + lambda * (2 * chi - 4 * d * slope + 2 * volumes * slope * slope)) / (chi * chi);
+    const double twice = (10. / 9 * angles * slope * slope +
+                          lambda * (2 * chi - 4 * d * slope + 2 * volumes * slope * slope)) /
+                         (chi * chi);
     Eigen::Matrix<double, 3, 4> gradients; // of the barycentric coordinates
     gradients.rightCols<3>() = m_inverse_rests[c].transpose();
     gradients.col(0) = -gradients.rightCols<3>().rowwise().sum();
@@ -230,9 +235,10 @@ private:
       for (int l = 0; l < 4; ++l) {
         const std::uint32_t column = m_unknown[m_cells[c][l]];
         if (column == no_unknown) continue;
-        const Eigen::Matrix3d block = 2 * share * gradients.col(k).dot(gradients.col(l)) * Eigen::Matrix3d::Identity() +
-                                      mixed * (jg.col(k) * cg.col(l).transpose() + cg.col(k) * jg.col(l).transpose()) +
-                                      twice * cg.col(k) * cg.col(l).transpose();
+        const Eigen::Matrix3d block =
+            2 * share * gradients.col(k).dot(gradients.col(l)) * Eigen::Matrix3d::Identity() +
+            mixed * (jg.col(k) * cg.col(l).transpose() + cg.col(k) * jg.col(l).transpose()) +
+            twice * cg.col(k) * cg.col(l).transpose();
         for (int i = 0; i < 3; ++i)
           for (int j = 0; j < 3; ++j) entries.emplace_back(3 * row + i, 3 * column + j, block(i, j));
       }

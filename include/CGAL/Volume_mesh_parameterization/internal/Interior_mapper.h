@@ -79,7 +79,9 @@ public:
   bool is_positive(Cell_index c) const {
     using Kernel = Exact_predicates_inexact_constructions_kernel;
     const auto& v = mesh().cell(c);
-    const auto at = [&](int i) { return Kernel::Point_3(m_images[v[i]][0], m_images[v[i]][1], m_images[v[i]][2]); };
+    const auto at = [&](int i) {
+      return Kernel::Point_3(m_images[v[i]][0], m_images[v[i]][1], m_images[v[i]][2]);
+    };
     return CGAL::orientation(at(0), at(1), at(2), at(3)) == POSITIVE;
   }
 
@@ -187,7 +189,9 @@ public:
     return result;
   }
 
-  Status write_to(Mesh& mesh, std::vector<Cell_index>& order) && { return std::move(m_refinable).write_to(mesh, order); }
+  Status write_to(Mesh& mesh, std::vector<Cell_index>& order) && {
+    return std::move(m_refinable).write_to(mesh, order);
+  }
 
 private:
   // Some cells with their own numbers.
@@ -265,14 +269,16 @@ private:
   static Position position(const Point& p) {
     return {CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())};
   }
-  Double_kernel::Point_3 point(Vertex_index v) const { return {m_points[v][0], m_points[v][1], m_points[v][2]}; }
+  Double_kernel::Point_3 point(Vertex_index v) const {
+    return {m_points[v][0], m_points[v][1], m_points[v][2]};
+  }
 
   Refinable_order<GeomTraits> m_refinable;
   std::vector<Position> m_points, m_images; // of the vertices
   std::vector<char> m_is_fixed;             // vertices on the boundary
   std::vector<std::array<Vertex_index, 2>> m_bisected_edges;
   double m_work = 0;
-  std::vector<char> m_is_in;                // cells, scratch
+  std::vector<char> m_is_in; // cells, scratch
 };
 
 } // namespace internal

@@ -84,7 +84,8 @@ public:
 
   void write_to(Boundary_images_3<Geom_traits>& result) const {
     result = {};
-    for (const Edge_split& s : m_surface.splits) result.bisected_edges.push_back({Vertex_index(s.v), Vertex_index(s.w)});
+    for (const Edge_split& s : m_surface.splits)
+      result.bisected_edges.push_back({Vertex_index(s.v), Vertex_index(s.w)});
     for (const Point_3& p : m_map.images) result.images.emplace_back(p.x(), p.y(), p.z());
     result.energy = m_energy;
   }
@@ -120,7 +121,8 @@ private:
       return m_map.images[v].x() == c[0] && m_map.images[v].y() == c[1];
     };
     std::vector<Id> loop = wall_rim(m_surface, wall.label, FLOOR);
-    std::rotate(loop.begin(), std::find_if(loop.begin(), loop.end(), [&](Id v) { return is_at(v, corners[0]); }),
+    std::rotate(loop.begin(),
+                std::find_if(loop.begin(), loop.end(), [&](Id v) { return is_at(v, corners[0]); }),
                 loop.end());
     std::size_t k = 0;
     for (Id v : loop)
@@ -157,8 +159,9 @@ private:
       m_planes_of_rims.push_back(m_map.add_planes(m_domain.rim(rim)));
     fix_planes();
     for (Id t = 0; t < m_map.frames.size(); ++t)
-      if (m_surface.labels[t] < FIRST_WALL) put_on_plane(t, m_surface.labels[t] == FLOOR ? m_floor_plane : m_ceiling_plane,
-                                                       m_surface.labels[t] == FLOOR ? -1 : 1);
+      if (m_surface.labels[t] < FIRST_WALL)
+        put_on_plane(t, m_surface.labels[t] == FLOOR ? m_floor_plane : m_ceiling_plane,
+                     m_surface.labels[t] == FLOOR ? -1 : 1);
   }
 
   // Two, as a map may be shifted, and those that the user asks for.
@@ -168,7 +171,8 @@ private:
       if (m_options.size[axis] > 0) m_map.planes[m_planes_of_rims[0][axis + 2]].is_fixed = true;
     }
     if (m_options.size[2] > 0) m_map.planes[m_ceiling_plane].is_fixed = true;
-    for (Axis_aligned_map::Plane& plane : m_map.planes) plane.is_fixed = plane.is_fixed || m_options.integer_planes;
+    for (Axis_aligned_map::Plane& plane : m_map.planes)
+      plane.is_fixed = plane.is_fixed || m_options.integer_planes;
   }
 
   void put_on_plane(Id t, int plane, int normal_sign) {
@@ -219,7 +223,8 @@ private:
     for (const Prism_wall& wall : m_walls) {
       const std::vector<Id> rim = wall_rim(m_surface, wall.label, FLOOR, wall.bottom[0]);
       for (int k = 0; k < 4; ++k)
-        put_side_on_plane(wall, k, triangles_over(Prism_wall::side(rim, wall.bottom, k), wall.label, is_seen));
+        put_side_on_plane(wall, k,
+                          triangles_over(Prism_wall::side(rim, wall.bottom, k), wall.label, is_seen));
     }
     std::vector<Refined_surface::Triangle> of_walls;
     std::vector<Id> numbers;
@@ -237,7 +242,8 @@ private:
       m_map.snap_to_planes();
       return m_map.count_flipped(triangles);
     };
-    const Status status = embed_convex_pieces(of_walls, m_surface.surface.points(), is_fixed, area, count, m_map.images);
+    const Status status =
+        embed_convex_pieces(of_walls, m_surface.surface.points(), is_fixed, area, count, m_map.images);
     const std::size_t flipped = count();
     if (!status.ok() || flipped == 0) return status;
     return {ERROR_BOUNDARY_MAP, std::to_string(flipped) + " triangles of the walls are flipped"};
@@ -248,7 +254,8 @@ private:
     const auto& triangles = m_surface.surface.triangles();
     const double scale = std::sqrt(m_domain.base_area() / floor_area());
     std::vector<Point_3> points;
-    for (const Point_3& p : m_surface.surface.points()) points.push_back(CGAL::ORIGIN + scale * (p - CGAL::ORIGIN));
+    for (const Point_3& p : m_surface.surface.points())
+      points.push_back(CGAL::ORIGIN + scale * (p - CGAL::ORIGIN));
     Axis_aligned_map relaxed = m_map;
     m_energy = relax_axis_aligned_map(ROUGHLY, triangles, points, relaxed);
     if (relaxed.count_flipped(triangles) == 0) m_map = std::move(relaxed);

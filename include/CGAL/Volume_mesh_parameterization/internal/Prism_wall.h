@@ -76,7 +76,7 @@ struct Prism_wall {
   static Path side(const Path& rim, const std::array<Id, 4>& ends, int k) {
     const auto from = std::find(rim.begin(), rim.end(), ends[k]);
     Path result;
-    for (auto v = from; result.empty() || result.back() != ends[(k + 1) % 4]; ) {
+    for (auto v = from; result.empty() || result.back() != ends[(k + 1) % 4];) {
       result.push_back(*v);
       if (++v == rim.end()) v = rim.begin();
     }

@@ -58,7 +58,8 @@ public:
       }
       m_report.flipped_at_end = (std::min)(before, flipped.size());
       idle = flipped.size() < before ? 0 : idle + 1;
-      if (flipped.empty() || double(m_mapper.mesh().number_of_cells()) > most_cells || m_mapper.work() > most_work)
+      if (flipped.empty() || double(m_mapper.mesh().number_of_cells()) > most_cells ||
+          m_mapper.work() > most_work)
         break;
       refine(flipped);
       flipped = m_mapper.find_flipped();
@@ -141,7 +142,9 @@ private:
   // flipped ones: those are what leaves no room.
   void refine(const Cells& flipped) {
     constexpr int rings = 2;
-    const auto is_inside = [this](Vertex_index a, Vertex_index b) { return !m_mapper.is_boundary_edge(a, b); };
+    const auto is_inside = [this](Vertex_index a, Vertex_index b) {
+      return !m_mapper.is_boundary_edge(a, b);
+    };
     const auto is_chord = [&](Vertex_index a, Vertex_index b) {
       return m_mapper.is_fixed(a) && m_mapper.is_fixed(b) && is_inside(a, b);
     };

@@ -50,7 +50,7 @@ public:
 
   // Returns the energy over the area: 4 for an isometry.
   double run(Relaxation goal) {
-    const int most_steps = goal == ROUGHLY ? 50 : 150; // about 15 are usual
+    const int most_steps = goal == ROUGHLY ? 50 : 150;    // about 15 are usual
     const int most_near_steps = goal == ROUGHLY ? 0 : 20; // up to 10 are usual
     int near_steps = 0;
     Eigen::VectorXd x = m_start;
@@ -110,7 +110,8 @@ private:
   void write_back(const Eigen::VectorXd& x) {
     for (std::size_t p = 0; p < m_map.planes.size(); ++p) m_map.planes[p].value = x[m_place_of_plane[p]];
     for (const Triangle& t : m_triangles)
-      for (std::uint32_t v : t) m_map.images[v] = Point_3(x[m_places[v][0]], x[m_places[v][1]], x[m_places[v][2]]);
+      for (std::uint32_t v : t)
+        m_map.images[v] = Point_3(x[m_places[v][0]], x[m_places[v][1]], x[m_places[v][2]]);
   }
 
   static Rest_shape rest_shape(const Triangle& t, const std::vector<Point_3>& p) {
@@ -283,8 +284,10 @@ private:
 };
 
 // Returns the energy over the area. The map stays one to one; where it was not, nothing is changed.
-inline double relax_axis_aligned_map(Relaxation goal, const std::vector<Axis_aligned_map::Triangle>& triangles,
-                                     const std::vector<Axis_aligned_map::Point_3>& points, Axis_aligned_map& map) {
+inline double relax_axis_aligned_map(Relaxation goal,
+                                     const std::vector<Axis_aligned_map::Triangle>& triangles,
+                                     const std::vector<Axis_aligned_map::Point_3>& points,
+                                     Axis_aligned_map& map) {
   return Axis_aligned_relaxation(triangles, points, map).run(goal);
 }
 
