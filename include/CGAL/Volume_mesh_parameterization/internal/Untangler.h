@@ -82,7 +82,7 @@ public:
 private:
   // Bounds on the number of Newton steps of cells: for each cell of the mesh (what succeeds takes less than 60), and for
   // small meshes.
-  static constexpr double most_steps_per_cell = 200, least_bound = 1e7;
+  static constexpr double most_steps_per_cell = 200, least_bound = 3e6;
 
   Cells worst_cells() const {
     constexpr double bad = 20; // energy of a cell; 3.2 without distortion
