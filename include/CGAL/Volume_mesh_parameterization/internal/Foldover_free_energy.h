@@ -53,8 +53,8 @@ public:
   }
 
   std::size_t number_of_unknowns() const { return 3 * m_free.size(); }
-  // Newton steps so far.
-  std::size_t number_of_steps() const { return m_steps; }
+  // Newton steps so far, each that is solved for by iterations counted ten times.
+  std::size_t number_of_steps() const { return number_of_unknowns() <= most_direct ? m_steps : 10 * m_steps; }
 
   // Lessens the energy while epsilon falls, until all determinants are positive, or most_rounds are over or some in a row were idle. In the paper, eq. (8),
   // epsilon falls by a tenth at least; for small parts by half is as safe and far quicker. Returns whether all are positive.
@@ -93,7 +93,8 @@ public:
 
 private:
   static constexpr std::uint32_t no_unknown = std::uint32_t(-1);
-  static constexpr double lambda = 0.1; // weight of volumes against angles
+  static constexpr std::size_t most_direct = 10000; // unknowns for a direct solver
+  static constexpr double lambda = 0.1;             // weight of volumes against angles
 
   static Eigen::Matrix3d edges(const Cell& c, const std::vector<Eigen::Vector3d>& p) {
     Eigen::Matrix3d e;
@@ -165,7 +166,6 @@ private:
   void find_direction(Eigen::VectorXd& gradient, Eigen::VectorXd& direction) const {
     constexpr double tolerance = 1e-3;
     constexpr int most_iterations = 200; // any number gives a way down
-    constexpr Eigen::Index most_direct = 10000;
     const Eigen::Index n = Eigen::Index(number_of_unknowns());
     gradient = Eigen::VectorXd::Zero(n);
     std::vector<Eigen::Triplet<double>> entries;
@@ -173,7 +173,7 @@ private:
     for (std::size_t c = 0; c < m_cells.size(); ++c) add_cell(c, gradient, entries);
     Eigen::SparseMatrix<double> hessian(n, n);
     hessian.setFromTriplets(entries.begin(), entries.end());
-    if (n <= most_direct) {
+    if (number_of_unknowns() <= most_direct) {
       Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver(hessian);
       direction = solver.solve(-gradient);
       if (solver.info() == Eigen::Success && gradient.dot(direction) < 0) return;

@@ -80,9 +80,8 @@ public:
   }
 
 private:
-  // Bounds on the number of Newton steps of cells: for each cell of the mesh (what succeeds takes less than 60), and for
-  // small meshes.
-  static constexpr double most_steps_per_cell = 200, least_bound = 3e6;
+  // Bounds on the number of Newton steps of cells: for each cell of the mesh, and for small meshes.
+  static constexpr double most_steps_per_cell = 30, least_bound = 3e6;
 
   Cells worst_cells() const {
     constexpr double bad = 20; // energy of a cell; 3.2 without distortion
