@@ -33,8 +33,10 @@ bool is_refusal(const Status& status) {
   case VMP::ERROR_MAP_NOT_BIJECTIVE:
   case VMP::ERROR_INVERTED_HEXAHEDRON:
   case VMP::ERROR_CANCELLED:
-  case VMP::OK: return false;
-  default: return true;
+  case VMP::OK:
+    return false;
+  default:
+    return true;
   }
 }
 
@@ -65,7 +67,8 @@ public:
     if (status.ok()) status = map_solid(input, *floor_map);
     if (is_refusal(status)) return finish(status, INPUT_REFUSED);
     const Status written = m_parameterizer ? write_what_holds() : Status();
-    return written.ok() ? finish(status.ok() ? m_not_certified : status, exit_code(status)) : finish(written, INPUT_REFUSED);
+    return written.ok() ? finish(status.ok() ? m_not_certified : status, exit_code(status))
+                        : finish(written, INPUT_REFUSED);
   }
 
 private:
@@ -79,7 +82,7 @@ private:
   }
 
   Status load(Input& input, std::optional<Given_boundary_map>& floor_map) {
-    m_report["input"]["domain"] = m_options.domain;
+    if (!m_options.domain.empty()) m_report["input"]["domain"] = m_options.domain;
     m_report["input"]["boundary_map"] = m_options.boundary_map;
     std::vector<Point_3> images;
     Status status = load_unlabelled(m_options.input, m_clock, input);
@@ -87,11 +90,14 @@ private:
     if (!status.ok()) return status;
     if (images.size() != input.number_of_points)
       return {VMP::ERROR_BOUNDARY_MAP, m_options.boundary_map + ": " + std::to_string(images.size()) +
-                                           " points for the " + std::to_string(input.number_of_points) + " of the input"};
+                                           " points for the " + std::to_string(input.number_of_points) +
+                                           " of the input"};
     Mesh domain;
     status = load_domain(m_options, input.mesh, images, m_clock, domain);
-    if (status.ok()) status = m_polycube.build(domain, CGAL::parameters::visitor(Clock_visitor(m_clock, "domain: ")));
-    if (!status.ok()) return about(m_options.domain.empty() ? m_options.boundary_map : m_options.domain, status);
+    if (status.ok())
+      status = m_polycube.build(domain, CGAL::parameters::visitor(Clock_visitor(m_clock, "domain: ")));
+    if (!status.ok())
+      return about(m_options.domain.empty() ? m_options.boundary_map : m_options.domain, status);
     floor_map.emplace(m_polycube, std::move(images));
     return floor_map->label_boundary(input.mesh);
   }
@@ -100,8 +106,8 @@ private:
     m_report["input"]["kind"] = input.is_surface ? "surface" : "tetrahedra";
     const auto type = m_options.field == Field::FLUX ? VMP::FLUX_CURVES : VMP::CERTIFIED_CURVES;
     m_parameterizer.emplace(floor_map);
-    const Status status =
-        m_parameterizer->template run<CGAL::Parallel_if_available_tag>(input.mesh, VMP::parameters::curve_type(type).visitor(Clock_visitor(m_clock)));
+    const Status status = m_parameterizer->template run<CGAL::Parallel_if_available_tag>(
+        input.mesh, VMP::parameters::curve_type(type).visitor(Clock_visitor(m_clock)));
     if (status.ok() && type == VMP::CERTIFIED_CURVES) m_linear_status = make_linear();
     m_clock.finish();
     m_report["input"]["tetrahedra"] = input.mesh.number_of_cells();
@@ -109,8 +115,8 @@ private:
   }
 
   Status make_linear() {
-    return VMP::make_piecewise_linear<CGAL::Parallel_if_available_tag>(*m_parameterizer, m_linear,
-                                                                       CGAL::parameters::visitor(Clock_visitor(m_clock)));
+    return VMP::make_piecewise_linear<CGAL::Parallel_if_available_tag>(
+        *m_parameterizer, m_linear, CGAL::parameters::visitor(Clock_visitor(m_clock)));
   }
 
   // The mesh that is written, and the order in which its cells are swept.
@@ -128,7 +134,8 @@ private:
     if (status.ok() && m_polycube.is_valid()) status = write_polycube();
     if (p.curve_field()) report_fields();
     if (status.ok() && !p.vertex_images().empty()) status = write_map();
-    if (status.ok() && p.product_map() && m_options.number_of_hexahedra > 0) status = write_hexahedra(p.floor_map()->domain());
+    if (status.ok() && p.product_map() && m_options.number_of_hexahedra > 0)
+      status = write_hexahedra(p.floor_map()->domain());
     if (m_options.field == Field::PAPER && p.harmonic_function()) report_paper();
     m_clock.finish();
     return status;
@@ -136,9 +143,9 @@ private:
 
   Status write_polycube() {
     const Status status = VMP::IO::write_MEDIT(m_folder.file(Result_folder::domain), m_polycube.mesh());
-    return status.ok()
-               ? m_folder.write_order(Result_folder::domain_order, m_polycube.product().product_structure()->order())
-               : status;
+    return status.ok() ? m_folder.write_order(Result_folder::domain_order,
+                                              m_polycube.product().product_structure()->order())
+                       : status;
   }
 
   void report_mesh() {
@@ -169,7 +176,8 @@ private:
     m_report["maximum_principle"] = report_maximum_principle(*p.harmonic_function());
     auto& critical = m_singularities.critical_vertices;
     const Status status = VMP::find_critical_points(p.mesh(), p.harmonic_function()->values(), critical);
-    m_report["critical_points"] = status.ok() ? report_critical_points(p.mesh(), critical) : report_status(status);
+    m_report["critical_points"] =
+        status.ok() ? report_critical_points(p.mesh(), critical) : report_status(status);
     m_singularities.irregular_edges = VMP::irregular_edges(p.mesh(), *p.flux_field());
     m_report["irregular_edges_of_flux"] = report_irregular_edges(p.mesh(), m_singularities.irregular_edges);
     m_angles = angles_to_gradient(p, [&](VMP::Cell_index c) { return p.curve_field()->vector(p.mesh(), c); });
@@ -190,13 +198,15 @@ private:
     Result_fields fields;
     Status status = result_fields(fields);
     if (status.ok()) status = write_linear_map(map.is_bijective(), fields);
-    if (status.ok()) status = write_result(m_folder, object(), fields, height_of(p.floor_map()->domain()), m_singularities);
+    if (status.ok())
+      status = write_result(m_folder, object(), fields, height_of(p.floor_map()->domain()), m_singularities);
     if (status.ok()) status = write_curves(m_folder, *p.product_map());
     return status;
   }
 
   void report_floor(const Prism_floor_map& map) {
-    m_report["floor_distortion"] = report_distortion(VMP::measure_floor_distortion(m_parameterizer->mesh(), map));
+    m_report["floor_distortion"] =
+        report_distortion(VMP::measure_floor_distortion(m_parameterizer->mesh(), map));
   }
   void report_floor(const Given_boundary_map&) {}
 
@@ -208,13 +218,31 @@ private:
     m_report["distortion"] = report_distortion(VMP::measure_distortion(object(), images));
     m_report["piecewise_linear_map"] = {{"status", report_status(m_linear_status)},
                                         {"untangling", report_untangling(m_linear.report())},
-                                        {"tetrahedra_before", m_parameterizer->mesh().number_of_cells()},
-                                        {"distance_to_curves", report_distance(images, fields.images)}};
+                                        {"tetrahedra_before", m_parameterizer->mesh().number_of_cells()}};
+    report_distance_to_phi(images);
+    report_lines(*m_parameterizer->floor_map(), images);
+    if (!is_linear && m_not_certified.ok()) m_not_certified = m_linear_status;
     if (!is_linear) return {};
     Soup image = VMP::make_soup(object());
     image.points = images;
     return VMP::IO::write_MEDIT(m_folder.file(Result_folder::parameter), image);
   }
+
+  void report_distance_to_phi(const std::vector<Point_3>& images) {
+    using Tag = CGAL::Parallel_if_available_tag;
+    const auto& phi = *m_parameterizer->product_map();
+    VMP::Map_distance distance;
+    const Status status = m_linear.is_valid() ? VMP::measure_map_distance<Tag>(phi, m_linear, distance)
+                                              : VMP::measure_map_distance<Tag>(phi, images, distance);
+    m_report["piecewise_linear_map"]["distance_to_phi"] =
+        status.ok() ? report_distance(distance, images) : report_status(status);
+  }
+
+  // The curves of a given polycube need not be straight.
+  void report_lines(const Prism_floor_map&, const std::vector<Point_3>& images) {
+    m_report["piecewise_linear_map"]["w_lines_to_gradient_of_w"] = report_line_angles(object(), images);
+  }
+  void report_lines(const Given_boundary_map&, const std::vector<Point_3>&) {}
 
   // Fields of the mesh that is written, which may be finer than the one that they were computed on.
   Status result_fields(Result_fields& fields) const {
@@ -225,7 +253,8 @@ private:
     fields.f.clear();
     for (const auto& l : locations) {
       double f = 0;
-      for (int i = 0; i < 4; ++i) f += l.barycentric[i] * p.harmonic_function()->values()[p.mesh().vertex(l.cell, i)];
+      for (int i = 0; i < 4; ++i)
+        f += l.barycentric[i] * p.harmonic_function()->values()[p.mesh().vertex(l.cell, i)];
       fields.f.push_back(f);
     }
     fields.angles.clear();
@@ -251,7 +280,8 @@ private:
     VMP::Hexahedron_soup_3<Point_3> hexahedra;
     Status status = extract_hexahedra(domain, hexahedra);
     if (status.ok()) {
-      m_report["hexahedra_before_optimization"] = report_hexahedra(VMP::verify_hexahedra(hexahedra), hexahedra.hexahedra.size(), m_options.has_pillow);
+      m_report["hexahedra_before_optimization"] = report_hexahedra(
+          VMP::verify_hexahedra(hexahedra), hexahedra.hexahedra.size(), m_options.has_pillow);
       status = VMP::optimize_hexahedra(m_parameterizer->mesh(), hexahedra, optimization());
     }
     if (!status.ok()) {
@@ -265,7 +295,8 @@ private:
     return {};
   }
 
-  Status extract_hexahedra(const VMP::Prism_3<Kernel>& domain, VMP::Hexahedron_soup_3<Point_3>& hexahedra) const {
+  Status extract_hexahedra(const VMP::Prism_3<Kernel>& domain,
+                           VMP::Hexahedron_soup_3<Point_3>& hexahedra) const {
     const auto& map = *m_parameterizer->product_map();
     const Status status = VMP::hexahedral_mesh<CGAL::Parallel_if_available_tag>(
         domain, VMP::prism_grid_of_size(domain, m_options.number_of_hexahedra, m_options.has_pillow),
@@ -289,14 +320,16 @@ private:
   void report_paper() {
     const auto& mesh = m_parameterizer->mesh();
     const VMP::Averaged_gradient_field_3<Mesh> field(mesh, m_parameterizer->harmonic_function()->values());
-    for (const auto& [name, base] : {std::pair<const char*, int>("floor", VMP::FLOOR), {"ceiling", VMP::CEILING}}) {
+    for (const auto& [name, base] :
+         {std::pair<const char*, int>("floor", VMP::FLOOR), {"ceiling", VMP::CEILING}}) {
       const auto interior = field.arrivals(base), wall = field.arrivals_on_walls(base);
       m_report["paper"][name] = {{"share_of_interior_vertices", interior.share()},
                                  {"left_through_wall", interior.left_through_wall},
                                  {"stuck", interior.stuck},
                                  {"share_of_wall_vertices", wall.share()}};
     }
-    m_not_certified = Status(VMP::ERROR_CURVE_LOST, "the paper's averaged gradient certifies nothing; see report.json");
+    m_not_certified =
+        Status(VMP::ERROR_CURVE_LOST, "the paper's averaged gradient certifies nothing; see report.json");
   }
 
   int exit_code(const Status& status) const {

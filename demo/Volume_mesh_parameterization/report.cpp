@@ -7,14 +7,16 @@
 #include <Eigen/Core>
 #include <boost/version.hpp>
 
+#include <cmath>
+
 namespace {
 
-Json report_statistics(const VMP::Weighted_statistics& s) {
-  return {{"minimum", s.minimum()},
-          {"mean", s.mean()},
-          {"median", s.median()},
-          {"quantile_95", s.quantile(0.95)},
-          {"maximum", s.maximum()}};
+Json report_statistics(const VMP::Weighted_statistics& s, double unit = 1) {
+  return {{"minimum", s.minimum() / unit},
+          {"mean", s.mean() / unit},
+          {"median", s.median() / unit},
+          {"quantile_95", s.quantile(0.95) / unit},
+          {"maximum", s.maximum() / unit}};
 }
 
 // The share of the volume in cells that satisfy a predicate.
@@ -168,11 +170,17 @@ Json report_untangling(const VMP::Untangling_report& report) {
           {"relaxed_clusters", report.relaxed_clusters}};
 }
 
-// Each vertex counts the same.
-Json report_distance(const std::vector<Point_3>& images, const std::vector<Point_3>& others) {
-  std::vector<double> distances;
-  for (std::size_t v = 0; v < images.size(); ++v) distances.push_back(std::sqrt(CGAL::squared_distance(images[v], others[v])));
-  return report_statistics(VMP::Weighted_statistics(distances, std::vector<double>(distances.size(), 1)));
+// As shares of the diagonal of the domain.
+Json report_distance(const VMP::Map_distance& distance, const std::vector<Point_3>& images) {
+  const CGAL::Bbox_3 box = CGAL::bbox_3(images.begin(), images.end());
+  const double diagonal = std::hypot(box.x_span(), box.y_span(), box.z_span());
+  return {{"diagonal_of_domain", diagonal},
+          {"at_vertices", report_statistics(distance.at_vertices, diagonal)},
+          {"at_barycentres", report_statistics(distance.at_barycentres, diagonal)}};
+}
+
+Json report_line_angles(const Mesh& mesh, const std::vector<Point_3>& images) {
+  return report_statistics({VMP::measure_line_angles(mesh, images), VMP::measure_volumes(mesh, mesh.points())});
 }
 
 Json report_hexahedra(const VMP::Hexahedra_report& report, std::size_t number, bool has_pillow) {

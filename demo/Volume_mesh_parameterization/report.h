@@ -10,6 +10,7 @@
 #include <CGAL/Volume_mesh_parameterization/Piecewise_linear_map_3.h>
 #include <CGAL/Volume_mesh_parameterization/measure_distortion.h>
 #include <CGAL/Volume_mesh_parameterization/measure_floor_distortion.h>
+#include <CGAL/Volume_mesh_parameterization/measure_map_distance.h>
 #include <CGAL/Volume_mesh_parameterization/verify_hexahedra.h>
 
 #include <nlohmann/json.hpp>
@@ -31,7 +32,8 @@ Json report_domain(const Polycube& domain);
 Json report_distortion(const VMP::Distortion_report& report);
 Json report_distortion(const VMP::Floor_distortion_report& report);
 Json report_untangling(const VMP::Untangling_report& report);
-Json report_distance(const std::vector<Point_3>& images, const std::vector<Point_3>& others);
+Json report_distance(const VMP::Map_distance& distance, const std::vector<Point_3>& images);
+Json report_line_angles(const Mesh& mesh, const std::vector<Point_3>& images);
 Json report_hexahedra(const VMP::Hexahedra_report& report, std::size_t number, bool has_pillow);
 Json report_versions();
 

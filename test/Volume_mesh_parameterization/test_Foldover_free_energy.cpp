@@ -19,7 +19,8 @@ struct Grid {
       for (int y = 0; y <= n; ++y)
         for (int z = 0; z <= n; ++z) {
           points.push_back(Position(x, y, z));
-          is_inside.push_back(x > 0 && y > 0 && z > 0 && x < n && y < n && z < n);
+          const bool is_inside = x > 0 && y > 0 && z > 0 && x < n && y < n && z < n;
+          freedoms.push_back(is_inside ? Energy::free : Energy::fixed);
         }
     const int paths[6][3] = {{0, 1, 2}, {1, 2, 0}, {2, 0, 1}, {0, 2, 1}, {2, 1, 0}, {1, 0, 2}};
     for (int x = 0; x < n; ++x)
@@ -55,7 +56,7 @@ struct Grid {
 
   int size;
   std::vector<Position> points;
-  std::vector<char> is_inside;
+  std::vector<Energy::Freedom> freedoms;
   std::vector<Energy::Cell> cells;
 };
 
@@ -63,7 +64,7 @@ struct Grid {
 void test_rest() {
   const Grid grid(2);
   std::vector<Position> positions = grid.points;
-  Energy energy(grid.cells, grid.points, grid.is_inside, positions);
+  Energy energy(grid.cells, grid.points, grid.freedoms, positions);
   energy.polish(0);
   for (std::size_t c = 0; c < grid.cells.size(); ++c) assert(std::abs(energy.value(c) - 3.2) < 1e-12);
 }
@@ -75,14 +76,14 @@ void test_untangle() {
     std::vector<Position> positions = grid.points;
     std::mt19937 random(seed);
     for (std::size_t v = 0; v < positions.size(); ++v)
-      if (grid.is_inside[v])
+      if (grid.freedoms[v] == Energy::free)
         for (int k = 0; k < 3; ++k) positions[v][k] = 5. * random() / random.max();
     const std::vector<Position> start = positions;
     assert(grid.count_flipped(positions) > 50);
-    Energy energy(grid.cells, grid.points, grid.is_inside, positions);
+    Energy energy(grid.cells, grid.points, grid.freedoms, positions);
     assert(energy.untangle(.3, 60));
     assert(grid.count_flipped(positions) == 0);
-    for (std::size_t v = 0; v < positions.size(); ++v) assert(grid.is_inside[v] || positions[v] == start[v]);
+    for (std::size_t v = 0; v < positions.size(); ++v) assert(grid.freedoms[v] == Energy::free || positions[v] == start[v]);
     // nothing else is as good as the grid itself
     energy.polish(100);
     for (std::size_t v = 0; v < positions.size(); ++v) assert((positions[v] - grid.points[v]).norm() < .05);
@@ -94,7 +95,7 @@ void test_hopeless() {
   const Grid grid(3);
   std::vector<Position> positions = grid.points;
   for (Position& p : positions) p[0] = -p[0];
-  Energy energy(grid.cells, grid.points, grid.is_inside, positions);
+  Energy energy(grid.cells, grid.points, grid.freedoms, positions);
   assert(!energy.untangle(.3, 20));
   assert(energy.number_of_steps() <= 100);
 }

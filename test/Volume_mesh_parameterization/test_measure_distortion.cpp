@@ -122,6 +122,21 @@ void test_angles() {
   assert(angles[6] > 1e-8); // small angles keep their digits
 }
 
+template <typename Function>
+void expect_line_angle(const Mesh& mesh, double expected, Function function) {
+  for (double angle : VMP::measure_line_angles(mesh, move(mesh, function)))
+    assert(std::abs(angle - expected) < 1e-5);
+}
+
+void test_line_angles(const Mesh& mesh) {
+  expect_line_angle(mesh, 0, [](double x, double y, double z) { return Point(3 * x + y, 5 * y, 7 * z); });
+  expect_line_angle(mesh, 0, [](double x, double y, double z) { return Point(y, z, x); });
+  expect_line_angle(mesh, 45, [](double x, double y, double z) { return Point(x, y, z + x); });
+  expect_line_angle(mesh, 45, [](double x, double y, double z) { return Point(x + z, y, 9 * z); });
+  expect_line_angle(mesh, 135, [](double x, double y, double z) { return Point(x, -y, z + x); });
+  expect_line_angle(mesh, 180, [](double x, double y, double) { return Point(x, y, 0); });
+}
+
 int main() {
   test_statistics();
   const Mesh mesh = make_block();
@@ -130,6 +145,7 @@ int main() {
   test_volumes(mesh);
   test_flipped_and_flat(mesh);
   test_angles();
+  test_line_angles(mesh);
   std::cout << "done" << std::endl;
   return EXIT_SUCCESS;
 }

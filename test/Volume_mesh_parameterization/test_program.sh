@@ -6,6 +6,7 @@ set -euo pipefail
 export LC_ALL=C
 
 program=$1
+table=$(realpath "$(dirname "$0")")/../../scripts/make_table.py
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 cd "$work"
@@ -214,10 +215,19 @@ test_good_block() {
   else
     [ ! -e result/parameter.mesh ] || fail "parameter.mesh is written though its map is not certified"
   fi
-  for name in counts certificates critical_points angles distortion residuals stages seconds bytes versions; do
+  for name in counts certificates critical_points angles distortion floor_distortion distance_to_phi at_barycentres \
+    w_lines_to_gradient_of_w residuals stages seconds bytes versions; do
     has_key "$name" result
   done
   run 0 verify result
+}
+
+# The table tells everything of a run that made a map.
+test_table() {
+  command -v python3 >/dev/null && [ -f "$table" ] || return 0
+  python3 "$table" result >output 2>errors || fail "no table is made"
+  [ "$(grep -c 'block\.mesh' output)" -eq 2 ] || fail "the tables lack a row for block.mesh"
+  ! grep -q '| - ' output || fail "the report lacks what a table has a column for"
 }
 
 # The block is a polycube itself; as a bent solid, it has the straight one as domain.
@@ -270,6 +280,7 @@ test_polycubes() {
   done
   run 0 "${given[@]}"
   run 0 verify given
+  ! grep -q '"domain": ""' given/report.json || fail "the report has a domain that was not given"
   run 0 "${given[@]}" --direction 0,0,-2
   run 0 "${given[@]}" --domain ring.obj --floor 0 --ceiling 0.5,0.5,1 --floor 12
   run 1 "${given[@]}" --domain ring.obj --floor 0 --ceiling 5
@@ -380,6 +391,7 @@ test_bad_direction
 test_unwritable_folder
 test_own_input
 test_good_block
+test_table
 test_given_domain
 test_polycubes
 test_pillow

@@ -34,6 +34,8 @@ struct Boundary_images_3 {
   std::vector<typename GeomTraits::Point_3> images;
   /// symmetric Dirichlet energy over the area, 4 for an isometry; 0 if the map was given
   double energy = 0;
+  /// whether vertices may be moved in the planes of their images
+  bool may_slide = false;
 };
 
 } // namespace Volume_mesh_parameterization

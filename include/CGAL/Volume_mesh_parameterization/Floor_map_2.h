@@ -91,10 +91,11 @@ public:
   }
 
   /*!
-  extends the floor map to the whole boundary of `mesh`, for which `build()` has succeeded, by construction: the corners of
-  the ceiling and the creases of the walls follow `images`, the ceiling is cut and embedded like the floor, then each
-  rectangle of the walls; at last the whole surface is relaxed, with vertices that slide and planes of the domain that move,
-  unless the options fix them. The floor map and the domain become those of the result.
+  extends the floor map to the whole boundary of `mesh`, for which `build()` has succeeded, by construction: the creases of
+  the walls run along harmonic angles to the corners of the ceiling, the same way around as in `images`, the ceiling is cut
+  and embedded like the floor, then each rectangle of the walls; at last the whole surface is relaxed, with vertices that
+  slide and planes of the domain that move, unless the options fix them. If it is much distorted, other corners are tried.
+  The floor map and the domain become those of the result.
 
   \param mesh the solid
   \param images those of all its vertices under the map along curves; only where the boundary is cut depends on them
@@ -107,13 +108,15 @@ public:
                       Boundary_images_3<GeomTraits>& boundary) {
     std::vector<internal::Double_kernel::Point_3> picture;
     for (const auto& p : images) picture.push_back(internal::approximate(p));
-    internal::Prism_boundary_mapper<Floor_map_2> mapper(mesh, *this, m_options, std::move(picture));
-    const Status status = mapper.run();
+    internal::Prism_boundary_mapper<Floor_map_2> mapper;
+    const Status status = mapper.run({mesh, *this, m_options, std::move(picture)});
     if (!status.ok()) return status;
-    mapper.write_to(boundary);
-    for (std::size_t v = 0; v < m_images.size(); ++v)
-      m_images[v] = Point_2(mapper.floor_image(v).x(), mapper.floor_image(v).y());
-    m_domain = mapper.domain();
+    mapper.best().write_to(boundary);
+    for (std::size_t v = 0; v < m_images.size(); ++v) {
+      const auto& p = mapper.best().floor_image(v);
+      m_images[v] = Point_2(p.x(), p.y());
+    }
+    m_domain = mapper.best().domain();
     index_images();
     return {};
   }

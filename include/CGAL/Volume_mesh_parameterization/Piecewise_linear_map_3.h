@@ -13,12 +13,11 @@
 #include <CGAL/Volume_mesh_parameterization/Boundary_images_3.h>
 #include <CGAL/Volume_mesh_parameterization/Product_map_3.h>
 #include <CGAL/Volume_mesh_parameterization/Untangling_report.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Bisected_mesh.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Refined_places.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Untangler.h>
 #include <CGAL/Volume_mesh_parameterization/parameters.h>
 #include <CGAL/Volume_mesh_parameterization/verify_map.h>
 
-#include <array>
 #include <cstddef>
 #include <string>
 #include <utility>
@@ -46,9 +45,10 @@ public:
   /*!
   computes the map.
 
-  The boundary is mapped as given. The interior starts from the better of two maps, the harmonic one and that along curves,
-  and is untangled with the energy of Garanzha et al., *Foldover-free maps in 50 lines of code*, 2021, cluster by cluster;
-  edges of tetrahedra that resist are bisected. Then what is badly distorted is relaxed.
+  The boundary is mapped as given; where it may slide, vertices inside of the walls and of the ceiling move in their planes
+  later. The interior starts from the better of two maps, the harmonic one and that along curves, and is untangled cluster by
+  cluster with the energy of V. Garanzha et al., *Foldover-free maps in 50 lines of code*, 2021. Edges of
+  tetrahedra that resist are bisected. Then what is badly distorted is relaxed.
 
   \param mesh a solid with a product structure
   \param order the order in which its cells are swept
@@ -70,6 +70,7 @@ public:
     internal::Interior_mapper<GeomTraits> mapper(mesh, order);
     Status status = map_boundary(boundary, mapper);
     if (status.ok()) status = start(curve_images, mapper);
+    if (status.ok() && boundary.may_slide) mapper.release_boundary();
     internal::Untangler<GeomTraits, Visitor> untangler(mapper, visitor, m_report);
     if (status.ok()) status = untangler.run();
     if (status.ok()) status = untangler.polish();
@@ -81,29 +82,28 @@ public:
 
   /// returns whether there is a map: then it is bijective.
   bool is_valid() const { return !m_images.empty(); }
-  /// returns the refined mesh. Its first vertices are those of the mesh that it was made of.
+  /// returns the refined mesh. Its first vertices are those of the mesh that it was made of, the others barycentres of
+  /// simplices that were split: the last ones of `Compact_tetrahedral_mesh_3::split_simplices()`.
   const Mesh& mesh() const { return m_mesh; }
   /// returns the cells of `mesh()` in the order of a sweep.
   const std::vector<Cell_index>& order() const { return m_order; }
   /// returns the images of the vertices of `mesh()`.
   const std::vector<Point_3>& images() const { return m_images; }
-  /// returns the edges that were bisected, in this order; their midpoints are the vertices after those of the original.
-  const std::vector<std::array<Vertex_index, 2>>& bisected_edges() const { return m_bisected_edges; }
   const Untangling_report& report() const { return m_report; }
 
   /// returns the place of each vertex of `mesh()` in the mesh that it was made of.
   std::vector<Location_3<GeomTraits>> locations(const Mesh& original) const {
-    const internal::Bisected_mesh<GeomTraits> bisected(original, m_bisected_edges);
+    const internal::Refined_places<GeomTraits> places(original, m_mesh);
     std::vector<Location_3<GeomTraits>> result;
-    for (Vertex_index v : m_mesh.vertices()) result.push_back(bisected.location(v));
+    for (Vertex_index v : m_mesh.vertices()) result.push_back(places.location(v));
     return result;
   }
 
   /// returns the cell of the mesh that it was made of which each cell of `mesh()` is a part of.
   std::vector<Cell_index> origins(const Mesh& original) const {
-    const internal::Bisected_mesh<GeomTraits> bisected(original, m_bisected_edges);
+    const internal::Refined_places<GeomTraits> places(original, m_mesh);
     std::vector<Cell_index> result;
-    for (Cell_index c : m_mesh.cells()) result.push_back(bisected.origin(m_mesh.cell(c)));
+    for (Cell_index c : m_mesh.cells()) result.push_back(places.origin(m_mesh.cell(c)));
     return result;
   }
 
@@ -122,13 +122,13 @@ private:
     for (const auto& [v, w] : boundary.bisected_edges)
       if (status.ok()) status = mapper.bisect(v, w);
     for (std::size_t v = 0; status.ok() && v < boundary.images.size(); ++v)
-      if (mapper.is_fixed(v)) mapper.set_image(v, position(boundary.images[v]));
+      if (!mapper.is_inside(v)) mapper.set_image(v, position(boundary.images[v]));
     return status;
   }
 
   Status start(const std::vector<Point_3>& curve_images, internal::Interior_mapper<GeomTraits>& mapper) {
     for (std::size_t v = 0; v < curve_images.size(); ++v)
-      if (!mapper.is_fixed(v)) mapper.set_image(v, position(curve_images[v]));
+      if (mapper.is_inside(v)) mapper.set_image(v, position(curve_images[v]));
     const std::size_t flipped_along_curves = mapper.find_flipped().size();
     const std::vector<Position> along_curves = mapper.images();
     const Status status = mapper.start_harmonically();
@@ -143,7 +143,6 @@ private:
   Status take(internal::Interior_mapper<GeomTraits>& mapper) {
     std::vector<Point_3> images;
     for (const Position& p : mapper.images()) images.emplace_back(p[0], p[1], p[2]);
-    m_bisected_edges = mapper.bisected_edges();
     Status status = std::move(mapper).write_to(m_mesh, m_order);
     if (status.ok()) status = verify_map(m_mesh, images).status;
     if (status.ok()) m_images = std::move(images);
@@ -153,7 +152,6 @@ private:
   Mesh m_mesh;
   std::vector<Cell_index> m_order;
   std::vector<Point_3> m_images;
-  std::vector<std::array<Vertex_index, 2>> m_bisected_edges;
   Untangling_report m_report;
 };
 

@@ -64,6 +64,13 @@ Eigen::Matrix3d edge_matrix(const std::vector<Point>& points, const std::array<V
   return edges;
 }
 
+// Of the map that is linear on the cell and takes its vertices to their images; not finite if the cell is flat.
+template <typename GeomTraits>
+Eigen::Matrix3d jacobian(const Compact_tetrahedral_mesh_3<GeomTraits>& mesh,
+                         const std::vector<typename GeomTraits::Point_3>& images, Cell_index c) {
+  return edge_matrix(images, mesh.cell(c)) * edge_matrix(mesh.points(), mesh.cell(c)).inverse();
+}
+
 inline Cell_distortion distortion_of(const Eigen::Matrix3d& jacobian) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   if (!jacobian.allFinite()) return {{infinity, infinity, infinity}, infinity, infinity};
@@ -103,11 +110,8 @@ std::vector<Cell_distortion> measure_cell_distortions(const Compact_tetrahedral_
                                                       double scale = 1) {
   std::vector<Cell_distortion> distortions;
   distortions.reserve(mesh.number_of_cells());
-  for (Cell_index c : mesh.cells()) {
-    const Eigen::Matrix3d edges = internal::edge_matrix(mesh.points(), mesh.cell(c));
-    const Eigen::Matrix3d image_edges = scale * internal::edge_matrix(images, mesh.cell(c));
-    distortions.push_back(internal::distortion_of(image_edges * edges.inverse()));
-  }
+  for (Cell_index c : mesh.cells())
+    distortions.push_back(internal::distortion_of(scale * internal::jacobian(mesh, images, c)));
   return distortions;
 }
 
@@ -166,6 +170,27 @@ std::vector<double> measure_angles(const VectorRange1& first, const VectorRange2
     angles.push_back(both ? degrees * std::atan2(a.cross(b).norm(), a.dot(b)) : 180);
   }
   return angles;
+}
+
+/*!
+\ingroup PkgVolumeMeshParameterizationVerification
+
+returns for each tetrahedron the angle in degrees between two directions, under the linear map \f$ (u, v, w) \f$ that takes
+vertex \f$ i \f$ of `mesh` to `images[i]`: that of the line along which \f$ u \f$ and \f$ v \f$ are constant, and that of the
+gradient of \f$ w \f$. It is 0 where lines are orthogonal to iso-surfaces of \f$ w \f$, above 90 if the tetrahedron is flipped,
+180 if it is flat.
+\pre there is one image for each vertex
+*/
+template <typename GeomTraits>
+std::vector<double> measure_line_angles(const Compact_tetrahedral_mesh_3<GeomTraits>& mesh,
+                                        const std::vector<typename GeomTraits::Point_3>& images) {
+  std::vector<Eigen::Vector3d> lines, gradients;
+  for (Cell_index c : mesh.cells()) {
+    const Eigen::Matrix3d gradients_of_uvw = internal::jacobian(mesh, images, c).transpose();
+    lines.push_back(gradients_of_uvw.col(0).cross(gradients_of_uvw.col(1)));
+    gradients.push_back(gradients_of_uvw.col(2));
+  }
+  return measure_angles(lines, gradients);
 }
 
 } // namespace Volume_mesh_parameterization

@@ -39,28 +39,31 @@ public:
   using Cell = std::array<std::uint32_t, 4>;
   static constexpr double infinity = std::numeric_limits<double>::infinity();
 
-  // positions: of all vertices; only those that are free will move
+  // Bit k is set if coordinate k of a vertex may change.
+  using Freedom = std::uint8_t;
+  static constexpr Freedom fixed = 0, free = 7;
+
+  // positions: of all vertices; they change
   Foldover_free_energy(std::vector<Cell> cells, const std::vector<Eigen::Vector3d>& rest,
-                       const std::vector<char>& is_free, std::vector<Eigen::Vector3d>& positions)
-      : m_cells(std::move(cells)), m_positions(positions), m_unknown(positions.size(), no_unknown) {
+                       const std::vector<Freedom>& freedoms, std::vector<Eigen::Vector3d>& positions)
+      : m_cells(std::move(cells)), m_positions(positions), m_unknowns(positions.size()) {
     for (std::size_t v = 0; v < positions.size(); ++v)
-      if (is_free[v]) {
-        m_unknown[v] = std::uint32_t(m_free.size());
-        m_free.push_back(std::uint32_t(v));
-      }
+      for (int k = 0; k < 3; ++k)
+        m_unknowns[v][k] = (freedoms[v] >> k & 1) != 0 ? m_number_of_unknowns++ : no_unknown;
     const double scale = scale_of(rest);
     for (const Cell& c : m_cells) m_inverse_rests.push_back((scale * rest_edges(c, rest)).inverse());
   }
 
-  std::size_t number_of_unknowns() const { return 3 * m_free.size(); }
+  std::size_t number_of_unknowns() const { return m_number_of_unknowns; }
   // Newton steps so far, each that is solved for by iterations counted ten times.
   std::size_t number_of_steps() const { return number_of_unknowns() <= most_direct ? m_steps : 10 * m_steps; }
 
-  // Lessens the energy while epsilon falls, until all determinants are positive, or most_rounds are over or some in a row were idle. In the paper, eq. (8),
-  // epsilon falls by a tenth at least; for small parts by half is as safe and far quicker. Returns whether all are positive.
+  // Lessens the energy while epsilon falls, until all determinants are positive, or most_rounds are over or some in a row were
+  // idle. In the paper, eq. (8), epsilon falls by a tenth at least; for small parts three tenths are as safe and far quicker.
+  // Returns whether all are positive.
   bool untangle(double epsilon, int most_rounds) {
     constexpr int steps_per_round = 5, most_idle_rounds = 8;
-    constexpr double least_gain = 1e-4, least_fall = 0.5;
+    constexpr double least_gain = 1e-4, least_fall = 0.3;
     std::size_t fewest = count_negative();
     for (int round = 0, idle = 0; round < most_rounds && fewest > 0 && idle < most_idle_rounds; ++round) {
       m_epsilon = epsilon;
@@ -92,6 +95,8 @@ public:
   }
 
 private:
+  using Unknowns = std::array<std::uint32_t, 3>;
+
   static constexpr std::uint32_t no_unknown = std::uint32_t(-1);
   static constexpr std::size_t most_direct = 10000; // unknowns for a direct solver
   static constexpr double lambda = 0.1;             // weight of volumes against angles
@@ -104,7 +109,7 @@ private:
 
   // A sliver would weigh more than all others together: a regular tetrahedron of the same size is its model.
   static Eigen::Matrix3d rest_edges(const Cell& c, const std::vector<Eigen::Vector3d>& rest) {
-    constexpr double least_volume = 0.01; // of the cube of the longest edge; 0.71 for a regular one
+    constexpr double least_volume = 1e-6; // of the cube of the longest edge; 0.71 for a regular one
     const Eigen::Matrix3d e = edges(c, rest);
     const double longest = std::sqrt(e.colwise().squaredNorm().maxCoeff());
     if (e.determinant() > least_volume * longest * longest * longest) return e;
@@ -189,8 +194,10 @@ private:
     constexpr double sufficient = 1e-4, least_step = 1e-6;
     const std::vector<Eigen::Vector3d> start = m_positions;
     for (double s = 1; s > least_step && slope < 0; s /= 2) {
-      for (std::size_t i = 0; i < m_free.size(); ++i)
-        m_positions[m_free[i]] = start[m_free[i]] + s * direction.segment<3>(3 * i);
+      for (std::size_t v = 0; v < m_unknowns.size(); ++v)
+        for (int k = 0; k < 3; ++k)
+          if (m_unknowns[v][k] != no_unknown)
+            m_positions[v][k] = start[v][k] + s * direction[m_unknowns[v][k]];
       const double next = value();
       if (next <= current + sufficient * s * slope) return next;
     }
@@ -229,25 +236,32 @@ private:
     gradients.col(0) = -gradients.rightCols<3>().rowwise().sum();
     const Eigen::Matrix<double, 3, 4> jg = state.jacobian * gradients, cg = state.cofactors * gradients;
     for (int k = 0; k < 4; ++k) {
-      const std::uint32_t row = m_unknown[m_cells[c][k]];
-      if (row == no_unknown) continue;
-      gradient.segment<3>(3 * row) += 2 * share * jg.col(k) + by_determinant * cg.col(k);
+      const Unknowns& rows = m_unknowns[m_cells[c][k]];
+      const Eigen::Vector3d slopes = 2 * share * jg.col(k) + by_determinant * cg.col(k);
+      for (int i = 0; i < 3; ++i)
+        if (rows[i] != no_unknown) gradient[rows[i]] += slopes[i];
       for (int l = 0; l < 4; ++l) {
-        const std::uint32_t column = m_unknown[m_cells[c][l]];
-        if (column == no_unknown) continue;
         const Eigen::Matrix3d block =
             2 * share * gradients.col(k).dot(gradients.col(l)) * Eigen::Matrix3d::Identity() +
             mixed * (jg.col(k) * cg.col(l).transpose() + cg.col(k) * jg.col(l).transpose()) +
             twice * cg.col(k) * cg.col(l).transpose();
-        for (int i = 0; i < 3; ++i)
-          for (int j = 0; j < 3; ++j) entries.emplace_back(3 * row + i, 3 * column + j, block(i, j));
+        add_block(rows, m_unknowns[m_cells[c][l]], block, entries);
       }
     }
   }
 
+  static void add_block(const Unknowns& rows, const Unknowns& columns, const Eigen::Matrix3d& block,
+                        std::vector<Eigen::Triplet<double>>& entries) {
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j)
+        if (rows[i] != no_unknown && columns[j] != no_unknown)
+          entries.emplace_back(rows[i], columns[j], block(i, j));
+  }
+
   std::vector<Cell> m_cells;
   std::vector<Eigen::Vector3d>& m_positions;
-  std::vector<std::uint32_t> m_unknown, m_free;
+  std::vector<Unknowns> m_unknowns; // of the vertices
+  std::uint32_t m_number_of_unknowns = 0;
   std::vector<Eigen::Matrix3d> m_inverse_rests;
   double m_epsilon = 1;
   std::size_t m_steps = 0;

@@ -11,7 +11,7 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/internal/Cell_gradients.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Foldover_free_energy.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map_part.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Refinable_order.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -39,22 +39,33 @@ class Interior_mapper {
 public:
   using Mesh = Compact_tetrahedral_mesh_3<GeomTraits>;
   using Position = Eigen::Vector3d;
+  using Freedom = Foldover_free_energy::Freedom;
 
   Interior_mapper(const Mesh& mesh, const std::vector<Cell_index>& order) : m_refinable(mesh, order) {
     for (const auto& p : mesh.points()) m_points.push_back(position(p));
     m_images.assign(m_points.size(), Position::Zero());
-    m_is_fixed.assign(m_points.size(), 0);
+    m_freedoms.assign(m_points.size(), Foldover_free_energy::free);
     for (Facet_index f : mesh.boundary_facets())
-      for (Vertex_index v : mesh.vertices(f)) m_is_fixed[v] = 1;
+      for (Vertex_index v : mesh.vertices(f)) m_freedoms[v] = Foldover_free_energy::fixed;
   }
 
   const Splittable_mesh<GeomTraits>& mesh() const { return m_refinable.mesh(); }
   const std::vector<Position>& images() const { return m_images; }
-  const std::vector<std::array<Vertex_index, 2>>& bisected_edges() const { return m_bisected_edges; }
   // Newton steps of cells so far.
   double work() const { return m_work; }
-  bool is_fixed(std::size_t v) const { return m_is_fixed[v] != 0; }
+  bool is_inside(std::size_t v) const { return m_freedoms[v] == Foldover_free_energy::free; }
   void set_image(std::size_t v, const Position& image) { m_images[v] = image; }
+
+  // Lets the vertices of the walls and of the ceiling slide in the planes where their images are, but for those on creases: then
+  // the map of the boundary stays one to one as long as no tetrahedron is flipped.
+  void release_boundary() {
+    for (std::size_t v = 0; v < m_freedoms.size(); ++v)
+      if (!is_inside(v)) m_freedoms[v] = Foldover_free_energy::free;
+    for (std::size_t c = 0; c < mesh().number_of_cells(); ++c)
+      for (int i = 0; i < 4; ++i) hold_facet(Cell_index(c), i);
+    for (Freedom& freedom : m_freedoms)
+      if ((freedom & (freedom - 1)) == 0) freedom = Foldover_free_energy::fixed;
+  }
 
   // The midpoint is fixed if the edge is on the boundary.
   Status bisect(Vertex_index a, Vertex_index b) {
@@ -63,8 +74,7 @@ public:
     if (!status.ok()) return status;
     m_points.push_back((m_points[a] + m_points[b]) / 2);
     m_images.push_back((m_images[a] + m_images[b]) / 2);
-    m_is_fixed.push_back(on_boundary);
-    m_bisected_edges.push_back({a, b});
+    m_freedoms.push_back(on_boundary ? Foldover_free_energy::fixed : Foldover_free_energy::free);
     return status;
   }
 
@@ -89,7 +99,7 @@ public:
   Status start_harmonically() {
     std::vector<std::uint32_t> row(m_points.size());
     std::uint32_t n = 0;
-    for (std::size_t v = 0; v < row.size(); ++v) row[v] = m_is_fixed[v] ? 0 : n++;
+    for (std::size_t v = 0; v < row.size(); ++v) row[v] = is_inside(v) ? n++ : 0;
     std::vector<Eigen::Triplet<double>> entries;
     Eigen::MatrixX3d right = Eigen::MatrixX3d::Zero(n, 3), start(n, 3);
     for (std::size_t c = 0; c < mesh().number_of_cells(); ++c) {
@@ -97,9 +107,9 @@ public:
       const Cell_gradients g({point(cell[0]), point(cell[1]), point(cell[2]), point(cell[3])});
       for (int i = 0; i < 4; ++i)
         for (int j = 0; j < 4; ++j) {
-          if (m_is_fixed[cell[i]]) continue;
+          if (!is_inside(cell[i])) continue;
           const double k = g.volume * (g.gradients[i] * g.gradients[j]);
-          if (m_is_fixed[cell[j]])
+          if (!is_inside(cell[j]))
             right.row(row[cell[i]]) -= k * m_images[cell[j]].transpose();
           else
             entries.emplace_back(row[cell[i]], row[cell[j]], k);
@@ -111,12 +121,12 @@ public:
     const Eigen::MatrixX3d x = solver.solve(right);
     if (solver.info() != Eigen::Success) return {ERROR_CANNOT_SOLVE, "harmonic map of the interior"};
     for (std::size_t v = 0; v < row.size(); ++v)
-      if (!m_is_fixed[v]) m_images[v] = x.row(row[v]).transpose();
+      if (is_inside(v)) m_images[v] = x.row(row[v]).transpose();
     return {};
   }
 
   bool is_boundary_edge(Vertex_index a, Vertex_index b) const {
-    if (!m_is_fixed[a] || !m_is_fixed[b]) return false;
+    if (is_inside(a) || is_inside(b)) return false;
     for (Cell_index c : mesh().star(a))
       for (int i = 0; i < 4; ++i) {
         const auto& cell = mesh().cell(c);
@@ -148,19 +158,16 @@ public:
   enum Start { AS_IT_IS, SMOOTHED };
 
   // Moves the vertices inside of some cells so that fewer of these are flipped; returns how many are left.
-  std::size_t untangle(const std::vector<Cell_index>& cells, Start start, int most_rounds) {
-    constexpr double epsilon = 0.3; // at first
-    Part part(*this, cells);
+  std::size_t untangle(const std::vector<Cell_index>& cells, Start start) {
+    Part tangled = part(cells);
     const std::size_t before = count_flipped(cells);
-    if (part.number_of_free() == 0) return before;
-    if (start == SMOOTHED) part.smooth();
-    Foldover_free_energy energy = part.energy();
-    energy.untangle(epsilon, most_rounds);
-    m_work += double(energy.number_of_steps()) * double(cells.size());
-    const std::vector<Position> old = part.swap_images(*this);
+    if (start == SMOOTHED) tangled.smooth();
+    untangle(tangled);
+    if (!tangled.keeps_boundary()) return before;
+    tangled.swap(m_images);
     const std::size_t after = count_flipped(cells);
     if (after < before) return after;
-    part.restore(*this, old);
+    tangled.swap(m_images);
     return before;
   }
 
@@ -170,19 +177,19 @@ public:
 
   // Less distortion of some cells, all positive, which they stay.
   void polish(const std::vector<Cell_index>& cells, int most_steps) {
-    Part part(*this, cells);
-    if (part.number_of_free() == 0) return;
-    part.energy().polish(most_steps);
-    const std::vector<Position> old = part.swap_images(*this);
-    if (count_flipped(cells) > 0) part.restore(*this, old);
+    Part distorted = part(cells);
+    distorted.energy().polish(most_steps);
+    if (!distorted.keeps_boundary()) return;
+    distorted.swap(m_images);
+    if (count_flipped(cells) > 0) distorted.swap(m_images);
   }
 
   // The energy of each cell: 3.2 without distortion, infinite if flipped.
   std::vector<double> energies() const {
     std::vector<Cell_index> cells;
     for (std::size_t c = 0; c < mesh().number_of_cells(); ++c) cells.emplace_back(c);
-    Part part(*this, cells);
-    Foldover_free_energy energy = part.energy();
+    Part whole = part(cells);
+    Foldover_free_energy energy = whole.energy();
     energy.polish(0);
     std::vector<double> result;
     for (Cell_index c : cells) result.push_back(energy.value(c));
@@ -194,76 +201,30 @@ public:
   }
 
 private:
-  // Some cells with their own numbers.
-  class Part {
-  public:
-    Part(const Interior_mapper& mapper, const std::vector<Cell_index>& cells) {
-      for (Cell_index c : cells)
-        for (Vertex_index v : mapper.mesh().cell(c)) m_vertices.push_back(v);
-      std::sort(m_vertices.begin(), m_vertices.end());
-      m_vertices.erase(std::unique(m_vertices.begin(), m_vertices.end()), m_vertices.end());
-      for (Vertex_index v : m_vertices) {
-        m_rest.push_back(mapper.m_points[v]);
-        m_positions.push_back(mapper.m_images[v]);
-      }
-      std::vector<std::size_t> degree(m_vertices.size(), 0);
-      for (Cell_index c : cells) {
-        m_cells.emplace_back();
-        for (int i = 0; i < 4; ++i) ++degree[m_cells.back()[i] = number(mapper.mesh().cell(c)[i])];
-      }
-      for (std::size_t i = 0; i < m_vertices.size(); ++i) {
-        const Vertex_index v = m_vertices[i];
-        m_is_free.push_back(!mapper.is_fixed(v) && degree[i] == mapper.mesh().star(v).size());
-      }
-    }
+  using Part = Map_part<GeomTraits>;
 
-    std::size_t number_of_free() const { return std::count(m_is_free.begin(), m_is_free.end(), 1); }
-    Foldover_free_energy energy() { return {m_cells, m_rest, m_is_free, m_positions}; }
+  void hold_facet(Cell_index c, int i) {
+    const int label = mesh().labels(c)[i];
+    if (label == INTERIOR) return;
+    const auto& cell = mesh().cell(c);
+    const std::array<Vertex_index, 3> v{cell[(i + 1) % 4], cell[(i + 2) % 4], cell[(i + 3) % 4]};
+    for (int k = 0; k < 3; ++k)
+      if (label == FLOOR ||
+          (m_images[v[0]][k] == m_images[v[1]][k] && m_images[v[1]][k] == m_images[v[2]][k]))
+        for (Vertex_index w : v) m_freedoms[w] &= Freedom(~(1 << k));
+  }
 
-    // Moves each free vertex to the mean of its neighbors, again and again: far from where it was tangled.
-    void smooth() {
-      constexpr int sweeps = 50;
-      std::vector<Position> sums(m_vertices.size());
-      std::vector<int> counts(m_vertices.size());
-      for (int k = 0; k < sweeps; ++k) {
-        std::fill(sums.begin(), sums.end(), Position::Zero());
-        std::fill(counts.begin(), counts.end(), 0);
-        for (const auto& cell : m_cells)
-          for (int i = 0; i < 4; ++i)
-            for (int j = 0; j < 4; ++j) {
-              if (i == j) continue;
-              sums[cell[i]] += m_positions[cell[j]];
-              ++counts[cell[i]];
-            }
-        for (std::size_t v = 0; v < m_vertices.size(); ++v)
-          if (m_is_free[v]) m_positions[v] = sums[v] / counts[v];
-      }
-    }
+  Part part(const std::vector<Cell_index>& cells) const {
+    return {mesh(), cells, m_points, m_images, m_freedoms};
+  }
 
-    // Writes the positions to the map; returns the old ones.
-    std::vector<Position> swap_images(Interior_mapper& mapper) const {
-      std::vector<Position> old;
-      for (std::size_t i = 0; i < m_vertices.size(); ++i) {
-        old.push_back(mapper.m_images[m_vertices[i]]);
-        mapper.m_images[m_vertices[i]] = m_positions[i];
-      }
-      return old;
-    }
-
-    void restore(Interior_mapper& mapper, const std::vector<Position>& old) const {
-      for (std::size_t i = 0; i < m_vertices.size(); ++i) mapper.m_images[m_vertices[i]] = old[i];
-    }
-
-  private:
-    std::uint32_t number(Vertex_index v) const {
-      return std::uint32_t(std::lower_bound(m_vertices.begin(), m_vertices.end(), v) - m_vertices.begin());
-    }
-
-    std::vector<Vertex_index> m_vertices;
-    std::vector<Position> m_rest, m_positions;
-    std::vector<Foldover_free_energy::Cell> m_cells;
-    std::vector<char> m_is_free;
-  };
+  void untangle(Part& part) {
+    constexpr double epsilon = 0.3; // at first
+    constexpr int most_rounds = 40;
+    Foldover_free_energy energy = part.energy();
+    energy.untangle(epsilon, most_rounds);
+    m_work += double(energy.number_of_steps()) * double(part.cells().size());
+  }
 
   template <typename Point>
   static Position position(const Point& p) {
@@ -275,8 +236,7 @@ private:
 
   Refinable_order<GeomTraits> m_refinable;
   std::vector<Position> m_points, m_images; // of the vertices
-  std::vector<char> m_is_fixed;             // vertices on the boundary
-  std::vector<std::array<Vertex_index, 2>> m_bisected_edges;
+  std::vector<Freedom> m_freedoms;          // of the vertices
   double m_work = 0;
   std::vector<char> m_is_in; // cells, scratch
 };

@@ -45,7 +45,8 @@ public:
     constexpr double most_growth = 1.2, most_added_anyway = 10000; // cells
     const double cells = double(m_mapper.mesh().number_of_cells());
     const double most_cells = (std::max)(most_growth * cells, cells + most_added_anyway);
-    const double most_work = (std::max)(least_bound, most_steps_per_cell * cells);
+    const double most_work =
+        (std::min)(most_steps_per_cell * cells, (std::max)(enough, enough_per_cell * cells));
     Cells flipped = m_mapper.find_flipped();
     m_report.flipped_at_start = m_report.flipped_at_end = flipped.size();
     for (std::size_t idle = 0; !flipped.empty() && idle < most_idle_rounds;) {
@@ -80,8 +81,8 @@ public:
   }
 
 private:
-  // Bounds on the number of Newton steps of cells: for each cell of the mesh, and for small meshes.
-  static constexpr double most_steps_per_cell = 30, least_bound = 3e6;
+  // Bounds on the number of Newton steps of cells: for each cell of a small mesh, for one of some size, for each cell of a big one.
+  static constexpr double most_steps_per_cell = 2000, enough = 1e7, enough_per_cell = 60;
 
   Cells worst_cells() const {
     constexpr double bad = 20; // energy of a cell; 3.2 without distortion
@@ -104,14 +105,12 @@ private:
   }
 
   Status untangle_clusters(const Cells& flipped, int rings, double most) {
-    constexpr int most_rounds = 20;
     const std::vector<Cells> parts = clusters(flipped);
     for (std::size_t k = 0; k < parts.size() && m_mapper.work() <= most; ++k) {
       if (!m_visitor.advance(k, parts.size())) return {ERROR_CANCELLED, "untangling"};
       if (m_mapper.count_flipped(parts[k]) == 0) continue; // with a neighbour
       const Cells cells = m_mapper.neighborhood(parts[k], rings);
-      if (m_mapper.untangle(cells, Mapper::AS_IT_IS, most_rounds) > 0)
-        m_mapper.untangle(cells, Mapper::SMOOTHED, most_rounds);
+      if (m_mapper.untangle(cells, Mapper::AS_IT_IS) > 0) m_mapper.untangle(cells, Mapper::SMOOTHED);
     }
     return {};
   }
@@ -145,11 +144,18 @@ private:
       return !m_mapper.is_boundary_edge(a, b);
     };
     const auto is_chord = [&](Vertex_index a, Vertex_index b) {
-      return m_mapper.is_fixed(a) && m_mapper.is_fixed(b) && is_inside(a, b);
+      return !m_mapper.is_inside(a) && !m_mapper.is_inside(b) && is_inside(a, b);
     };
-    std::vector<Edge> edges = edges_of(m_mapper.neighborhood(flipped, rings), is_chord);
-    if (edges.empty()) edges = edges_of(flipped, is_inside);
-    for (const auto& [a, b] : edges) m_report.bisected_edges += m_mapper.bisect(a, b).ok();
+    if (bisect(edges_of(m_mapper.neighborhood(flipped, rings), is_chord)) == 0)
+      bisect(edges_of(flipped, is_inside));
+  }
+
+  // Returns how many could be bisected.
+  std::size_t bisect(const std::vector<Edge>& edges) {
+    std::size_t bisected = 0;
+    for (const auto& [a, b] : edges) bisected += m_mapper.bisect(a, b).ok();
+    m_report.bisected_edges += bisected;
+    return bisected;
   }
 
   // The longest first.

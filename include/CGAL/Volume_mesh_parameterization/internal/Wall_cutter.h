@@ -19,6 +19,7 @@
 #include <array>
 #include <cmath>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -28,25 +29,17 @@ namespace internal {
 /*
 Cuts the walls of a solid along the creases of a prism.
 
-Each vertex of a wall has an angle: the place on the perimeter of the rectangle below its image. A crease is a shortest path
-that keeps to the angle of its corner.
+A crease is a shortest path that keeps to the angle of its corner.
 */
 class Wall_cutter {
 public:
   using Id = Refined_surface::Id;
   using Path = std::vector<Id>;
   using Point_2 = Double_kernel::Point_2;
-  using Point_3 = Double_kernel::Point_3;
 
-  // images: of the first vertices of the surface under a map to the prism; all rims are cut
-  Wall_cutter(Labelled_surface& surface, std::vector<Prism_wall>& walls, const std::vector<Point_3>& images)
-      : m_surface(surface), m_walls(walls), m_direction(images.size(), Point_2(0, 0)) {
-    const Refined_surface& s = surface.surface;
-    for (Id t = 0; t < s.number_of_triangles(); ++t)
-      for (const Prism_wall& wall : walls)
-        if (surface.labels[t] == wall.label)
-          for (Id v : s.triangles()[t])
-            if (v < images.size()) m_direction[v] = wall.direction(images[v].x(), images[v].y());
+  // directions: the points of the unit circle, about, at the angles of the first vertices of the surface; all rims are cut
+  Wall_cutter(Labelled_surface& surface, std::vector<Prism_wall>& walls, std::vector<Point_2> directions)
+      : m_surface(surface), m_walls(walls), m_direction(std::move(directions)) {
     extend_angles();
   }
 
@@ -56,6 +49,7 @@ public:
   }
 
   Status cut() {
+    m_surface.split_chords(); // or there may be no path
     extend_angles();
     for (Prism_wall& wall : m_walls)
       for (int k = 0; k < 4; ++k) {

@@ -26,8 +26,9 @@ namespace CGAL {
 namespace Volume_mesh_parameterization {
 namespace internal {
 
-// Roughly is enough for what is relaxed again. To the minimum, so that the result depends less on how vertices are numbered.
-enum Relaxation { ROUGHLY, TO_MINIMUM };
+// Until it gets slower is enough to compare maps, roughly for what is relaxed again. To the minimum, so that the result
+// depends less on how vertices are numbered.
+enum Relaxation { WHILE_FAST, ROUGHLY, TO_MINIMUM };
 
 /*
 Lessens the symmetric Dirichlet energy of an axis-aligned map of a surface (the area integral of |J|^2 + |J^-1|^2, infinite
@@ -50,14 +51,19 @@ public:
 
   // Returns the energy over the area: 4 for an isometry.
   double run(Relaxation goal) {
-    const int most_steps = goal == ROUGHLY ? 50 : 150;    // about 15 are usual
-    const int most_near_steps = goal == ROUGHLY ? 0 : 20; // up to 10 are usual
-    int near_steps = 0;
+    constexpr int most_steps = 150;                          // about 15 are usual
+    const double little = goal == WHILE_FAST ? .02 : .005;   // of the energy
+    const int most_idle_steps = goal == TO_MINIMUM ? 20 : 1; // up to 10 are usual near a minimum
+    int idle_steps = 0;
     Eigen::VectorXd x = m_start;
     double value = energy(x);
     if (!std::isfinite(value)) return value;
-    for (int i = 0; i < most_steps && near_steps <= most_near_steps && step(value, x); ++i)
-      near_steps += m_is_near;
+    for (int i = 0; i < most_steps && idle_steps <= most_idle_steps; ++i) {
+      const double before = value;
+      if (!step(value, x)) break;
+      const bool is_idle = goal == TO_MINIMUM ? m_is_near : value > (1 - little) * before;
+      idle_steps = is_idle ? idle_steps + 1 : 0;
+    }
     write_back(x);
     return value / total_area();
   }
@@ -65,7 +71,7 @@ public:
 private:
   static constexpr Eigen::Index no_place = -1;
   static constexpr double at_rounding = 1e-14; // differences of the energy, relative, that tell nothing
-  enum Hessian_type { TRUE_HESSIAN, POSITIVE_HESSIAN };
+  enum Hessian_type { TRUE_HESSIAN, POSITIVE_HESSIAN, SECANT_HESSIAN };
 
   // A triangle at rest: its area, and the gradients of its barycentric coordinates.
   struct Rest_shape {
@@ -165,15 +171,19 @@ private:
 
   // One Newton step; returns false at the minimum, or if there is no way down.
   bool step(double& value, Eigen::VectorXd& x) {
-    constexpr double near = 1e-3; // the energy to gain, relative
+    constexpr double near = 1e-3;                       // the energy to gain, relative
+    constexpr double least_gain = .2, far_energy = 100; // with less gain, the other Hessian is tried next
     Eigen::VectorXd gradient, direction;
     // the true Hessian converges quadratically, but only near the minimum it is sure to be positive
-    const bool has_direction = (m_is_near && find_direction(TRUE_HESSIAN, x, gradient, direction)) ||
-                               find_direction(POSITIVE_HESSIAN, x, gradient, direction);
+    const bool has_direction =
+        (m_is_near && find_direction(TRUE_HESSIAN, x, gradient, direction)) ||
+        find_direction(m_is_far ? SECANT_HESSIAN : POSITIVE_HESSIAN, x, gradient, direction);
     if (!has_direction) return false;
-    const double slope = gradient.dot(direction);
+    const double slope = gradient.dot(direction), before = value;
     m_is_near = -slope < near * value;
-    return descend(direction, slope, value, x) && -slope > at_rounding * value;
+    const bool has_descended = descend(direction, slope, value, x), was_far = m_is_far;
+    if (value > (1 - least_gain) * before) m_is_far = !m_is_far && value > far_energy * total_area();
+    return (has_descended || was_far) && -slope > at_rounding * value;
   }
 
   // The minimum of the quadratic model; false if the model has none.
@@ -231,8 +241,15 @@ private:
     return c.rightCols<2>() - c.col(0).rowwise().replicate<2>();
   }
 
-  // With J = U diag(a, b) V^T and f(s) = s^2 + s^-2, the eigenvectors of the Hessian are two stretches, a turn and a
-  // shear.
+  // The second derivative of f(s) = s^2 + s^-2. Where that is steep, it lets s grow by a third only; the slope of the
+  // secant of f' to the minimum at 1 points there at once, as in M. Rabinovich et al., Scalable locally injective mappings,
+  // 2017.
+  static double stretch_stiffness(Hessian_type type, double s) {
+    return type == SECANT_HESSIAN && s < 1 ? 2 * (1 + s) * (1 + s * s) / (s * s * s)
+                                           : 2 + 6 / (s * s * s * s);
+  }
+
+  // With J = U diag(a, b) V^T, the eigenvectors of the Hessian are two stretches, a turn and a shear.
   void add_triangle(std::size_t t, Hessian_type type, const Eigen::VectorXd& x, Eigen::VectorXd& gradient,
                     std::vector<Eigen::Triplet<double>>& entries) const {
     const Eigen::JacobiSVD<Eigen::Matrix2d> svd(jacobian(t, x), Eigen::ComputeFullU | Eigen::ComputeFullV);
@@ -243,7 +260,7 @@ private:
     const std::array<Eigen::Matrix2d, 4> modes = {u.col(0) * v.row(0), u.col(1) * v.row(1),
                                                   r * (u.col(1) * v.row(0) - u.col(0) * v.row(1)),
                                                   r * (u.col(1) * v.row(0) + u.col(0) * v.row(1))};
-    const std::array<double, 4> values = {2 + 6 / (a * a * a * a), 2 + 6 / (b * b * b * b),
+    const std::array<double, 4> values = {stretch_stiffness(type, a), stretch_stiffness(type, b),
                                           type == TRUE_HESSIAN ? turn : (std::max)(0., turn),
                                           2 + 2 * (a * a + ab + b * b) / (ab * ab * ab)};
     const Rest_shape& rest = m_rest_shapes[t];
@@ -280,7 +297,7 @@ private:
   Eigen::VectorXd m_start;
   std::vector<Rest_shape> m_rest_shapes;
   Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> m_solver;
-  bool m_is_analyzed = false, m_is_near = false;
+  bool m_is_analyzed = false, m_is_near = false, m_is_far = true;
 };
 
 // Returns the energy over the area. The map stays one to one; where it was not, nothing is changed.

@@ -5,8 +5,8 @@
 // $Id$
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_BISECTED_MESH_H
-#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_BISECTED_MESH_H
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_REFINED_PLACES_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_REFINED_PLACES_H
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
@@ -22,20 +22,20 @@ namespace CGAL {
 namespace Volume_mesh_parameterization {
 namespace internal {
 
-// Finds the places of a mesh that has been refined by bisecting edges in the mesh that it was made of.
+// Finds the places of a mesh that has been refined by splitting simplices in the mesh that it was made of.
 template <typename GeomTraits>
-class Bisected_mesh {
+class Refined_places {
 public:
   using Mesh = Compact_tetrahedral_mesh_3<GeomTraits>;
-  using Edge = std::array<Vertex_index, 2>;
+  using Simplex = typename Mesh::Simplex;
 
-  // edges: those that were bisected, in their order; their midpoints are the vertices after those of the mesh
-  Bisected_mesh(const Mesh& mesh, const std::vector<Edge>& edges) : m_mesh(mesh), m_stars(mesh) {
+  Refined_places(const Mesh& mesh, const Mesh& refined) : m_mesh(mesh), m_stars(mesh) {
     for (Vertex_index v : mesh.vertices()) m_combinations.push_back({{v, 1.}});
-    for (const Edge& e : edges) m_combinations.push_back(mean(m_combinations[e[0]], m_combinations[e[1]]));
+    const auto& splits = refined.split_simplices();
+    const std::size_t added = refined.number_of_vertices() - mesh.number_of_vertices();
+    std::for_each(splits.end() - added, splits.end(),
+                  [&](const Simplex& s) { m_combinations.push_back(mean(s)); });
   }
-
-  std::size_t number_of_vertices() const { return m_combinations.size(); }
 
   Location_3<GeomTraits> location(Vertex_index v) const {
     std::vector<Vertex_index> corners;
@@ -56,21 +56,24 @@ public:
   }
 
 private:
-  using Term = std::pair<Vertex_index, double>; // weights are dyadic, so exact
+  using Term = std::pair<Vertex_index, double>; // a vertex of the mesh and its weight
   using Combination = std::vector<Term>;
 
-  static Combination mean(const Combination& a, const Combination& b) {
-    Combination result = a;
-    for (const Term& t : b) {
-      const auto same =
-          std::find_if(result.begin(), result.end(), [&](const Term& u) { return u.first == t.first; });
-      if (same == result.end())
-        result.push_back(t);
-      else
-        same->second += t.second;
-    }
-    for (Term& t : result) t.second /= 2;
+  Combination mean(const Simplex& simplex) const {
+    const auto n = std::count_if(simplex.begin(), simplex.end(), [](Vertex_index v) { return v.is_valid(); });
+    Combination result;
+    for (std::ptrdiff_t k = 0; k < n; ++k)
+      for (const auto& [v, weight] : m_combinations[simplex[k]]) add({v, weight / double(n)}, result);
     return result;
+  }
+
+  static void add(const Term& term, Combination& sum) {
+    const auto same =
+        std::find_if(sum.begin(), sum.end(), [&](const Term& other) { return other.first == term.first; });
+    if (same == sum.end())
+      sum.push_back(term);
+    else
+      same->second += term.second;
   }
 
   Cell_index cell_with(const std::vector<Vertex_index>& corners) const {
@@ -90,4 +93,4 @@ private:
 } // namespace Volume_mesh_parameterization
 } // namespace CGAL
 
-#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_BISECTED_MESH_H
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_REFINED_PLACES_H
