@@ -28,6 +28,7 @@ struct Input_options {
   std::string partition; // "auto", "labels" or empty: labels if the file has them and there is no direction
   std::optional<std::array<double, 3>> direction;
   std::size_t number_of_tetrahedra = 30000; // about, for a surface
+  bool keeps_triangles = false;             // of a surface, even if they are thin
 };
 
 struct Parameterize_options {

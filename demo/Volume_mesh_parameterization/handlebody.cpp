@@ -26,6 +26,10 @@ void add_input(CLI::App& command, Input_options& options) {
       ->capture_default_str();
 }
 
+void add_keep_triangles(CLI::App& command, Input_options& options) {
+  command.add_flag("--keep-triangles", options.keeps_triangles, "do not cut a surface of long and thin triangles into better ones");
+}
+
 // Options whose values are picks; `parse` says which.
 template <typename Parse>
 CLI::Option* add_picks(CLI::App& command, const char* name, const char* type, const char* description, std::vector<Pick>& picks, Parse parse) {
@@ -42,6 +46,7 @@ CLI::Option* add_picks(CLI::App& command, const char* name, const char* type, co
 
 void add_partition(CLI::App& command, Partition_command& options) {
   add_input(command, options.input);
+  add_keep_triangles(command, options.input);
   command.add_option("-o,--output", options.output, "the file for the labelled tetrahedra (.mesh)")->required();
   command.add_option("--direction", options.input.direction, "from the floor to the ceiling, as X,Y,Z")->delimiter(',');
   add_picks(command, "--floor", "PICK", "a triangle that is to be floor: its number in a surface file, from 0, or X,Y,Z for the nearest", options.picks,
@@ -65,6 +70,7 @@ void add_partition(CLI::App& command, Partition_command& options) {
 
 void add_parameterize(CLI::App& command, Parameterize_options& options) {
   add_input(command, options.input);
+  add_keep_triangles(command, options.input);
   command.add_option("-o,--output", options.folder, "the folder for the result")->required();
   CLI::Option* partition = command.add_option("--partition", options.input.partition, "where floor, ceiling and walls come from; default: labels if INPUT has them and there is no --direction, else auto")
       ->check(CLI::IsMember({"auto", "labels"}));

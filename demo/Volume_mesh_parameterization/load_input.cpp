@@ -8,6 +8,7 @@
 #include <CGAL/Volume_mesh_parameterization/check_tetrahedral_mesh.h>
 #include <CGAL/Volume_mesh_parameterization/make_triangle_soup.h>
 #include <CGAL/Volume_mesh_parameterization/partition_boundary.h>
+#include <CGAL/Volume_mesh_parameterization/remesh_thin_triangles.h>
 #include <CGAL/Volume_mesh_parameterization/tetrahedralize.h>
 
 #include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
@@ -50,6 +51,7 @@ Status load_surface(const Input_options& options, Stage_clock& clock, Input& inp
   clock.start("read and check the surface");
   Status status = read_surface(options.file, surface);
   if (!status.ok()) return status;
+  if (cut_thin_triangles(options, surface)) input.number_of_triangles = surface.triangles.size();
   clock.start("partition and tetrahedralize");
   return VMP::partition_and_tetrahedralize(surface, partition_options(options), options.number_of_tetrahedra, input.mesh,
                                            &input.chosen.emplace(), Clock_visitor(clock));
@@ -89,6 +91,11 @@ bool is_surface_file(const std::string& file) {
 Status read_surface(const std::string& file, Surface& surface) {
   const Status status = read_triangles(file, surface);
   return status.ok() ? VMP::check_surface(surface) : status;
+}
+
+bool cut_thin_triangles(const Input_options& options, Surface& surface) {
+  const std::size_t before = surface.triangles.size();
+  return !options.keeps_triangles && VMP::remesh_thin_triangles(surface).ok() && surface.triangles.size() > before;
 }
 
 Status read_tetrahedra(const std::string& file, Mesh& mesh) {

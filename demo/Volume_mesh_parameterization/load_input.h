@@ -17,6 +17,7 @@ struct Input {
   Mesh mesh;
   std::size_t number_of_points = 0; // in the file, as far as they are used
   bool is_surface = false;
+  std::size_t number_of_triangles = 0; // of a surface whose thin triangles were cut, else 0
   bool has_labels = false;                           // given in the file
   std::optional<VMP::Partition_candidate_3> chosen; // the automatic partition
 };
@@ -25,6 +26,8 @@ struct Input {
 std::string file_extension(const std::string& file);
 bool is_surface_file(const std::string& file);
 VMP::Status read_surface(const std::string& file, VMP::Triangle_soup_3<Point_3>& surface);
+// Unless the options say no, or it cannot be done; tells whether it was.
+bool cut_thin_triangles(const Input_options& options, VMP::Triangle_soup_3<Point_3>& surface);
 VMP::Status read_tetrahedra(const std::string& file, Mesh& mesh);
 
 // Reads and checks the file, and tetrahedralizes a surface; there are no labels, or those that tell triangles apart.

@@ -58,6 +58,7 @@ private:
     }
     Status status = read_surface(m_options.input.file, m_surface);
     if (status.ok()) status = apply_picks(m_options.picks, m_surface);
+    if (status.ok()) cut_thin_triangles(m_options.input, m_surface);
     if (status.ok()) m_clock.start("tetrahedralize");
     return status.ok() ? VMP::tetrahedralize(m_surface, m_solid) : status;
   }

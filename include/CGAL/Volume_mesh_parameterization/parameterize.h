@@ -15,6 +15,7 @@
 #include <CGAL/Volume_mesh_parameterization/make_triangle_soup.h>
 #include <CGAL/Volume_mesh_parameterization/parameters.h>
 #include <CGAL/Volume_mesh_parameterization/partition_boundary.h>
+#include <CGAL/Volume_mesh_parameterization/remesh_thin_triangles.h>
 
 #include <CGAL/number_utils.h>
 
@@ -119,6 +120,8 @@ Needs TetGen: see `tetrahedralize()`.
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
+A surface of thin triangles is cut by `remesh_thin_triangles()` first, if possible.
+
 \returns the errors of `check_surface()`, `partition_and_tetrahedralize()` and `parameterize()`
 */
 template <typename ConcurrencyTag = Sequential_tag, typename Point, typename GeomTraits, typename Solver,
@@ -138,6 +141,8 @@ Status parameterize_surface(const Triangle_soup_3<Point>& surface,
   Status status = internal::run_stage(visitor, "check the surface", [&] { return check_surface(checked); });
   if (status.ok())
     status = internal::run_stage(visitor, "partition and tetrahedralize", [&] {
+      // What cannot be cut is taken as it is.
+      static_cast<void>(remesh_thin_triangles(checked));
       Partition_options options;
       options.directions = internal::directions_to_try(get_parameter(np, internal_np::sweep_direction));
       return partition_and_tetrahedralize(checked, options, number_of_cells, solid, nullptr, visitor);

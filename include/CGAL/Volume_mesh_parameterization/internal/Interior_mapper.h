@@ -31,8 +31,8 @@ namespace Volume_mesh_parameterization {
 namespace internal {
 
 /*
-A map of the vertices of a solid, with the boundary fixed, that is to have no flipped tetrahedron. Edges may be bisected on
-the way; the sweep order goes along.
+A map of the vertices of a solid, with the boundary given, that is to have no flipped tetrahedron. Edges may be bisected on the
+way; the sweep order goes along.
 */
 template <typename GeomTraits>
 class Interior_mapper {
@@ -40,6 +40,8 @@ public:
   using Mesh = Compact_tetrahedral_mesh_3<GeomTraits>;
   using Position = Eigen::Vector3d;
   using Freedom = Foldover_free_energy::Freedom;
+  using Part = Map_part<GeomTraits>;
+  using Boundary = typename Part::Boundary;
 
   Interior_mapper(const Mesh& mesh, const std::vector<Cell_index>& order) : m_refinable(mesh, order) {
     for (const auto& p : mesh.points()) m_points.push_back(position(p));
@@ -54,11 +56,13 @@ public:
   // Newton steps of cells so far.
   double work() const { return m_work; }
   bool is_inside(std::size_t v) const { return m_freedoms[v] == Foldover_free_energy::free; }
+  bool may_slide() const { return m_may_slide; }
   void set_image(std::size_t v, const Position& image) { m_images[v] = image; }
 
   // Lets the vertices of the walls and of the ceiling slide in the planes where their images are, but for those on creases: then
   // the map of the boundary stays one to one as long as no tetrahedron is flipped.
   void release_boundary() {
+    m_may_slide = true;
     for (std::size_t v = 0; v < m_freedoms.size(); ++v)
       if (!is_inside(v)) m_freedoms[v] = Foldover_free_energy::free;
     for (std::size_t c = 0; c < mesh().number_of_cells(); ++c)
@@ -157,9 +161,9 @@ public:
 
   enum Start { AS_IT_IS, SMOOTHED };
 
-  // Moves the vertices inside of some cells so that fewer of these are flipped; returns how many are left.
-  std::size_t untangle(const std::vector<Cell_index>& cells, Start start) {
-    Part tangled = part(cells);
+  // Moves the vertices of some cells so that fewer of these are flipped; returns how many are left.
+  std::size_t untangle(const std::vector<Cell_index>& cells, Start start, Boundary boundary) {
+    Part tangled = part(cells, boundary);
     const std::size_t before = count_flipped(cells);
     if (start == SMOOTHED) tangled.smooth();
     untangle(tangled);
@@ -177,7 +181,7 @@ public:
 
   // Less distortion of some cells, all positive, which they stay.
   void polish(const std::vector<Cell_index>& cells, int most_steps) {
-    Part distorted = part(cells);
+    Part distorted = part(cells, Part::SLIDING);
     distorted.energy().polish(most_steps);
     if (!distorted.keeps_boundary()) return;
     distorted.swap(m_images);
@@ -188,7 +192,7 @@ public:
   std::vector<double> energies() const {
     std::vector<Cell_index> cells;
     for (std::size_t c = 0; c < mesh().number_of_cells(); ++c) cells.emplace_back(c);
-    Part whole = part(cells);
+    Part whole = part(cells, Part::SLIDING);
     Foldover_free_energy energy = whole.energy();
     energy.polish(0);
     std::vector<double> result;
@@ -201,8 +205,6 @@ public:
   }
 
 private:
-  using Part = Map_part<GeomTraits>;
-
   void hold_facet(Cell_index c, int i) {
     const int label = mesh().labels(c)[i];
     if (label == INTERIOR) return;
@@ -214,8 +216,8 @@ private:
         for (Vertex_index w : v) m_freedoms[w] &= Freedom(~(1 << k));
   }
 
-  Part part(const std::vector<Cell_index>& cells) const {
-    return {mesh(), cells, m_points, m_images, m_freedoms};
+  Part part(const std::vector<Cell_index>& cells, Boundary boundary) const {
+    return {mesh(), cells, m_points, m_images, m_freedoms, boundary};
   }
 
   void untangle(Part& part) {
@@ -237,6 +239,7 @@ private:
   Refinable_order<GeomTraits> m_refinable;
   std::vector<Position> m_points, m_images; // of the vertices
   std::vector<Freedom> m_freedoms;          // of the vertices
+  bool m_may_slide = false;                 // on the boundary
   double m_work = 0;
   std::vector<char> m_is_in; // cells, scratch
 };

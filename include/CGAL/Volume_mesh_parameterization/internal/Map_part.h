@@ -42,9 +42,12 @@ public:
 
   using Freedom = Foldover_free_energy::Freedom;
 
-  // points, images, freedoms: of the vertices of the mesh; those on the boundary of the part are fixed
+  // What becomes of vertices on the boundary of the mesh.
+  enum Boundary { HELD, SLIDING };
+
+  // points, images, freedoms: of the vertices of the mesh; those on the border of the part are fixed
   Map_part(const Mesh& mesh, const std::vector<Cell_index>& cells, const std::vector<Position>& points,
-           const std::vector<Position>& images, const std::vector<Freedom>& freedoms) {
+           const std::vector<Position>& images, const std::vector<Freedom>& freedoms, Boundary boundary) {
     for (Cell_index c : cells)
       for (Vertex_index v : mesh.cell(c)) m_vertices.push_back(v);
     std::sort(m_vertices.begin(), m_vertices.end());
@@ -58,7 +61,9 @@ public:
       const Vertex_index v = m_vertices[i];
       m_rest.push_back(points[v]);
       m_positions.push_back(images[v]);
-      m_freedoms.push_back(degree[i] == mesh.star(v).size() ? freedoms[v] : Foldover_free_energy::fixed);
+      const bool is_inside = degree[i] == mesh.star(v).size(),
+                 may_move = boundary == SLIDING || freedoms[v] == Foldover_free_energy::free;
+      m_freedoms.push_back(is_inside && may_move ? freedoms[v] : Foldover_free_energy::fixed);
     }
     for (std::size_t c = 0; c < cells.size(); ++c)
       for (int k = 0; k < 4; ++k)

@@ -60,7 +60,7 @@ public:
   }
 
 private:
-  // The projection along the mean normal, if next to nothing of the floor is seen from behind.
+  // The projection along the mean normal, if next to nothing of the floor is seen from behind, and no rim loops the loop.
   bool project(std::vector<Point_2>& positions) const {
     Vector_3 normal(0, 0, 0);
     for (const auto& t : m_surface.triangles()) normal = normal + area_vector(t);
@@ -79,7 +79,21 @@ private:
     positions.clear();
     for (const Point_3& p : m_surface.points())
       positions.push_back(Point_2((p - CGAL::ORIGIN) * x, (p - CGAL::ORIGIN) * y));
-    return true;
+    return std::all_of(m_rims.begin(), m_rims.end(), [&](const Floor_rim& rim) { return turns_once(rim, positions); });
+  }
+
+  // Whether the tangent of a rim turns by about one full turn, as that of a curve that does not cross itself does.
+  static bool turns_once(const Floor_rim& rim, const std::vector<Point_2>& positions) {
+    const std::size_t n = rim.loop.size();
+    const auto edge = [&](std::size_t i) {
+      return positions[rim.loop[(i + 1) % n]] - positions[rim.loop[i % n]];
+    };
+    double turn = 0;
+    for (std::size_t i = 0; i < n; ++i) {
+      const auto u = edge(i), v = edge(i + 1);
+      turn += std::atan2(u.x() * v.y() - u.y() * v.x(), u * v);
+    }
+    return CGAL::abs(turn - 2 * CGAL_PI) < CGAL_PI;
   }
 
   // Fills the holes by cones and maps the disk to a round one.

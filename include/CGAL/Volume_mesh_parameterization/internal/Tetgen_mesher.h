@@ -27,6 +27,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <numeric>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -36,7 +37,8 @@ namespace Volume_mesh_parameterization {
 namespace internal {
 
 // Meshes the inside of a surface by TetGen 1.5 (H. Si, ACM TOMS 41(2), 2015). Facet marker i + 1 stands for triangle i,
-// so that TetGen neither merges facets nor takes a marker for "none".
+// so that TetGen neither merges facets nor takes a marker for "none". Where the surface may be meshed anew it stands for label
+// i: TetGen merges coplanar triangles with the same label.
 //
 // TetGen runs in a process of its own: Debian's 1.5.0 frees its memory twice whenever it gives up, and has assertions.
 template <typename Point>
@@ -44,21 +46,36 @@ class Tetgen_mesher {
 public:
   explicit Tetgen_mesher(const Triangle_soup_3<Point>& surface) : m_surface(surface) {}
 
-  // A volume of 0 does not bound the cells.
+  // Keeps the surface. A volume of 0 does not bound the cells.
   Status mesh(double maximal_volume, Tetrahedron_soup_3<Point>& soup) const {
+    std::ostringstream os;
+    {
+      Text_writer text(os);
+      text << quality << 'Y';
+      if (maximal_volume > 0) text << 'a' << maximal_volume;
+    }
+    std::vector<int> markers(m_surface.triangles.size());
+    std::iota(markers.begin(), markers.end(), 1);
     Output output;
-    const bool has_ended = run_in_child_process(
-        [&](Byte_writer& bytes) {
-          const Output found = run(switches(maximal_volume));
-          bytes << found.error << found.coordinates << found.cells << found.facets << found.markers;
-        },
-        [&](Byte_reader& bytes) {
-          bytes >> output.error >> output.coordinates >> output.cells >> output.facets >> output.markers;
-        });
-    if (!has_ended) return {ERROR_TETRAHEDRALIZATION, "TetGen crashed"};
-    if (output.error[0] != 0)
-      return {ERROR_TETRAHEDRALIZATION, "TetGen says that " + meaning(output.error[0])};
-    soup = make_soup(output);
+    const Status status = run(os.str(), markers, output);
+    if (status.ok()) soup = make_soup(output);
+    return status;
+  }
+
+  // Cuts the triangles into parts, those with the same label and in the same plane together, so that all are well shaped.
+  Status remesh(Triangle_soup_3<Point>& remeshed) const {
+    std::vector<int> markers;
+    for (int label : m_surface.labels) markers.push_back(label + 1);
+    Output output;
+    const Status status = run(quality, markers, output);
+    if (!status.ok()) return status;
+    remeshed = {};
+    remeshed.points = points(output);
+    for (std::size_t f = 0; f < output.markers.size(); ++f)
+      if (output.markers[f] > 0) {
+        std::copy_n(&output.facets[3 * f], 3, remeshed.triangles.emplace_back().begin());
+        remeshed.labels.push_back(output.markers[f] - 1);
+      }
     return {};
   }
 
@@ -69,21 +86,28 @@ private:
     std::vector<int> cells, facets, markers; // 4, 3 and 1 numbers for each
   };
 
-  // p: a piecewise linear complex, q: radius-edge ratio 1.4, Y: the surface stays as it is, Q: silent, a: volume
-  static std::string switches(double maximal_volume) {
-    std::ostringstream os;
-    {
-      Text_writer text(os);
-      text << "pq1.4YQ";
-      if (maximal_volume > 0) text << 'a' << maximal_volume;
-    }
-    return os.str();
+  // p: a piecewise linear complex, q: radius-edge ratio 1.4, Q: silent; also Y: the surface stays as it is, a: volume
+  static constexpr const char* quality = "pq1.4Q";
+
+  Status run(const std::string& switches, const std::vector<int>& markers, Output& output) const {
+    const bool has_ended = run_in_child_process(
+        [&](Byte_writer& bytes) {
+          const Output found = tetrahedralize(switches, markers);
+          bytes << found.error << found.coordinates << found.cells << found.facets << found.markers;
+        },
+        [&](Byte_reader& bytes) {
+          bytes >> output.error >> output.coordinates >> output.cells >> output.facets >> output.markers;
+        });
+    if (!has_ended) return {ERROR_TETRAHEDRALIZATION, "TetGen crashed"};
+    if (output.error[0] != 0)
+      return {ERROR_TETRAHEDRALIZATION, "TetGen says that " + meaning(output.error[0])};
+    return {};
   }
 
-  Output run(std::string switches) const {
+  Output tetrahedralize(std::string switches, const std::vector<int>& markers) const {
     tetgenio in, out;
     Output output;
-    fill(in);
+    fill(markers, in);
     try {
       ::tetrahedralize(switches.data(), &in, &out);
     } catch (int code) {
@@ -115,7 +139,7 @@ private:
   }
 
   // The destructor of tetgenio deletes what is allocated here.
-  void fill(tetgenio& in) const {
+  void fill(const std::vector<int>& markers, tetgenio& in) const {
     in.firstnumber = 0;
     in.numberofpoints = int(m_surface.points.size());
     in.pointlist = new double[3 * m_surface.points.size()];
@@ -127,10 +151,9 @@ private:
     in.numberoffacets = int(m_surface.triangles.size());
     in.facetlist = new tetgenio::facet[m_surface.triangles.size()];
     in.facetmarkerlist = new int[m_surface.triangles.size()];
-    for (int t = 0; t < in.numberoffacets; ++t) {
-      in.facetmarkerlist[t] = t + 1;
+    std::copy(markers.begin(), markers.end(), in.facetmarkerlist);
+    for (int t = 0; t < in.numberoffacets; ++t)
       fill(in.facetlist[t], m_surface.triangles[std::size_t(t)]);
-    }
   }
 
   static void fill(tetgenio::facet& facet, const std::array<std::size_t, 3>& triangle) {
@@ -144,11 +167,16 @@ private:
     std::copy(triangle.begin(), triangle.end(), polygon.vertexlist);
   }
 
+  std::vector<Point> points(const Output& output) const {
+    std::vector<Point> all = m_surface.points; // TetGen appends its points to these
+    for (std::size_t i = 3 * all.size(); i < output.coordinates.size(); i += 3)
+      all.emplace_back(output.coordinates[i], output.coordinates[i + 1], output.coordinates[i + 2]);
+    return all;
+  }
+
   Tetrahedron_soup_3<Point> make_soup(const Output& output) const {
     Tetrahedron_soup_3<Point> soup;
-    soup.points = m_surface.points; // TetGen appends its points to these
-    for (std::size_t i = 3 * soup.points.size(); i < output.coordinates.size(); i += 3)
-      soup.points.emplace_back(output.coordinates[i], output.coordinates[i + 1], output.coordinates[i + 2]);
+    soup.points = points(output);
     for (std::size_t i = 0; i < output.cells.size(); i += 4)
       std::copy_n(&output.cells[i], 4, soup.cells.emplace_back().begin());
     for (std::size_t f = 0; f < output.markers.size(); ++f) {

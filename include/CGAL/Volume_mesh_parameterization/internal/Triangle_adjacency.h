@@ -73,6 +73,9 @@ public:
     return components.number_of_sets();
   }
 
+  // The triangle beyond edge i of triangle t.
+  std::uint32_t neighbor(std::uint32_t t, int i) const { return m_opposite[3 * t + std::uint32_t(i)] / 3; }
+
   // Tells which triangles to turn around for all to be oriented as the first one; the surface is connected.
   // \returns ERROR_NON_MANIFOLD if the surface has one side only.
   Status find_reversed(std::vector<char>& is_reversed) const {

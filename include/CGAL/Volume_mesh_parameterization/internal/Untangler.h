@@ -82,7 +82,7 @@ public:
 
 private:
   // Bounds on the number of Newton steps of cells: for each cell of a small mesh, for one of some size, for each cell of a big one.
-  static constexpr double most_steps_per_cell = 2000, enough = 4e6, enough_per_cell = 30;
+  static constexpr double most_steps_per_cell = 20000, enough = 4e7, enough_per_cell = 400;
 
   Cells worst_cells() const {
     constexpr double bad = 20; // energy of a cell; 3.2 without distortion
@@ -109,10 +109,17 @@ private:
     for (std::size_t k = 0; k < parts.size() && m_mapper.work() <= most; ++k) {
       if (!m_visitor.advance(k, parts.size())) return {ERROR_CANCELLED, "untangling"};
       if (m_mapper.count_flipped(parts[k]) == 0) continue; // with a neighbour
-      const Cells cells = m_mapper.neighborhood(parts[k], rings);
-      if (m_mapper.untangle(cells, Mapper::AS_IT_IS) > 0) m_mapper.untangle(cells, Mapper::SMOOTHED);
+      untangle(m_mapper.neighborhood(parts[k], rings));
     }
     return {};
+  }
+
+  // The boundary slides if need be only, as that may squeeze it.
+  void untangle(const Cells& cells) {
+    using Part = typename Mapper::Part;
+    if (m_mapper.untangle(cells, Mapper::AS_IT_IS, Part::HELD) == 0) return;
+    if (m_mapper.untangle(cells, Mapper::SMOOTHED, Part::HELD) == 0) return;
+    if (m_mapper.may_slide()) m_mapper.untangle(cells, Mapper::AS_IT_IS, Part::SLIDING);
   }
 
   // Cells that share vertices are in one cluster.
