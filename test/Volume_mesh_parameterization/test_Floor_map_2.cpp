@@ -220,6 +220,33 @@ double energy_of(const Soup<Inexact>& soup, const VMP::Floor_map_2<Inexact>& map
   return VMP::measure_floor_distortion(make_mesh<Inexact>(soup), map).symmetric_dirichlet_energy.mean();
 }
 
+// A ribbon along a limacon, which crosses itself as seen from above and below: there one part is above the other.
+Soup<Inexact> looped_ribbon(int size) {
+  using Vector = Inexact::Vector_3;
+  const auto frame =
+      Block_with_holes<Inexact::Point_3>({0, 0, size, size}, {{1, 1, size - 1, size - 1}}, 1, 1).soup();
+  const double scale = 4 * size / 13.4, height = 3; // about as long as the frame
+  const auto limacon = [&](double t) {
+    const double r = scale * (1 + 2 * std::cos(t));
+    return Inexact::Point_3(r * std::cos(t), r * std::sin(t), height * std::sin(t));
+  };
+  return transformed(frame, [&](const Inexact::Point_3& p) {
+    const double x = p.x() - size / 2., y = p.y() - size / 2., t = std::atan2(y, x), small = 1e-5;
+    const double across = (std::max)(std::abs(x), std::abs(y)) - (size - 1) / 2.;
+    const Vector along = limacon(t + small) - limacon(t - small);
+    const double length = std::hypot(along.x(), along.y());
+    return limacon(t) + Vector(across * along.y() / length, -across * along.x() / length, p.z());
+  });
+}
+
+// Corners from the projection would be anywhere.
+void test_looped_ribbon() {
+  const auto soup = looped_ribbon(15);
+  const double energy = energy_of(soup, test_map<Inexact>(soup, 1, 200, 1e-12));
+  std::cout << "a ribbon that crosses itself: energy " << energy << std::endl;
+  assert(energy < 4.4);
+}
+
 // Plates are kept: wherever the holes lie, the map is an isometry.
 void test_arrangement(int size, const std::vector<Grid_box>& holes, unsigned seed) {
   const int n = int(holes.size());
@@ -455,6 +482,7 @@ int main() {
       Block_with_holes<Exact::Point_3>({0, 0, 5, 5}, {{1, 1, 2, 2}, {3, 1, 4, 2}, {2, 3, 3, 4}}, 1, 1).soup(),
       3, 50, 0);
   test_arrangements();
+  test_looped_ribbon();
   test_integers();
   test_sizes();
   test_determinism();

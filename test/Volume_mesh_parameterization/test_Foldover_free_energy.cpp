@@ -64,7 +64,7 @@ struct Grid {
 void test_rest() {
   const Grid grid(2);
   std::vector<Position> positions = grid.points;
-  Energy energy(grid.cells, grid.points, grid.freedoms, positions);
+  Energy energy(grid.cells, {}, grid.points, grid.freedoms, positions);
   energy.polish(0);
   for (std::size_t c = 0; c < grid.cells.size(); ++c) assert(std::abs(energy.value(c) - 3.2) < 1e-12);
 }
@@ -80,10 +80,11 @@ void test_untangle() {
         for (int k = 0; k < 3; ++k) positions[v][k] = 5. * random() / random.max();
     const std::vector<Position> start = positions;
     assert(grid.count_flipped(positions) > 50);
-    Energy energy(grid.cells, grid.points, grid.freedoms, positions);
+    Energy energy(grid.cells, {}, grid.points, grid.freedoms, positions);
     assert(energy.untangle(.3, 60));
     assert(grid.count_flipped(positions) == 0);
-    for (std::size_t v = 0; v < positions.size(); ++v) assert(grid.freedoms[v] == Energy::free || positions[v] == start[v]);
+    for (std::size_t v = 0; v < positions.size(); ++v)
+      assert(grid.freedoms[v] == Energy::free || positions[v] == start[v]);
     // nothing else is as good as the grid itself
     energy.polish(100);
     for (std::size_t v = 0; v < positions.size(); ++v) assert((positions[v] - grid.points[v]).norm() < .05);
@@ -95,15 +96,33 @@ void test_hopeless() {
   const Grid grid(3);
   std::vector<Position> positions = grid.points;
   for (Position& p : positions) p[0] = -p[0];
-  Energy energy(grid.cells, grid.points, grid.freedoms, positions);
+  Energy energy(grid.cells, {}, grid.points, grid.freedoms, positions);
   assert(!energy.untangle(.3, 20));
   assert(energy.number_of_steps() <= 100);
+}
+
+// A tetrahedron wants its apex on the other side of its base; a guard on the same base keeps it here.
+void test_guard() {
+  const std::vector<Position> rest = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {.3, .3, -1}, {.3, .3, 1}};
+  const Energy::Cell cell{0, 2, 1, 3}, guard{0, 1, 2, 3};
+  const std::vector<Energy::Freedom> freedoms = {Energy::fixed, Energy::fixed, Energy::fixed, Energy::free,
+                                                 Energy::fixed};
+  for (bool is_guarded : {false, true}) {
+    std::vector<Position> positions = rest;
+    positions[3] = rest[4];
+    std::vector<Energy::Cell> guards;
+    if (is_guarded) guards.push_back(guard);
+    const bool is_untangled = Energy({cell}, guards, rest, freedoms, positions).untangle(.3, 40);
+    std::cout << "apex at height " << positions[3][2] << std::endl;
+    assert(is_untangled != is_guarded && (positions[3][2] > 0) == is_guarded);
+  }
 }
 
 int main() {
   test_rest();
   test_untangle();
   test_hopeless();
+  test_guard();
   std::cout << "done" << std::endl;
   return EXIT_SUCCESS;
 }

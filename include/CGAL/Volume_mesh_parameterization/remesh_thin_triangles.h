@@ -37,7 +37,8 @@ double share_of_thin_triangles(const Triangle_soup_3<Point>& surface) {
   constexpr double most = 10; // length over height
   double thin = 0, all = 0;
   for (const auto& t : surface.triangles) {
-    const auto p = internal::approximate(surface.points[t[0]]), q = internal::approximate(surface.points[t[1]]),
+    const auto p = internal::approximate(surface.points[t[0]]),
+               q = internal::approximate(surface.points[t[1]]),
                r = internal::approximate(surface.points[t[2]]);
     const double area = std::sqrt(CGAL::squared_area(p, q, r));
     const double longest = (std::max)(

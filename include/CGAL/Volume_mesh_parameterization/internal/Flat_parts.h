@@ -39,9 +39,10 @@ public:
     static_cast<void>(status);
     Bbox_3 box;
     for (const Point& p : surface.points) box += approximate(p).bbox();
-    m_tolerance = relative_tolerance * std::sqrt(CGAL::squared_distance(
-                                           Double_kernel::Point_3(box.xmin(), box.ymin(), box.zmin()),
-                                           Double_kernel::Point_3(box.xmax(), box.ymax(), box.zmax())));
+    m_tolerance =
+        relative_tolerance *
+        std::sqrt(CGAL::squared_distance(Double_kernel::Point_3(box.xmin(), box.ymin(), box.zmin()),
+                                         Double_kernel::Point_3(box.xmax(), box.ymax(), box.zmax())));
     std::vector<double> areas;
     for (std::size_t t = 0; t < m_parts.size(); ++t) areas.push_back(normal(t).squared_length());
     std::vector<std::uint32_t> seeds(m_parts.size());

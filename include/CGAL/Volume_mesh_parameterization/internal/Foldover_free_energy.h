@@ -31,8 +31,8 @@ code, 2021: for each tetrahedron with Jacobian J of determinant D, eq. (3) to (5
 
     tr(J^T J) / chi^(2/3) + lambda (D^2 + 1) / chi,    chi = (D + sqrt(epsilon^2 + D^2)) / 2.
 
-It is finite for flipped tetrahedra; as epsilon tends to 0 they become infinitely bad. With epsilon = 0 positive ones stay
-positive.
+It is finite for flipped tetrahedra; as epsilon tends to 0 they become infinitely bad. With epsilon = 0, which it always is for
+some, the guards, positive ones stay positive.
 */
 class Foldover_free_energy {
 public:
@@ -43,10 +43,15 @@ public:
   using Freedom = std::uint8_t;
   static constexpr Freedom fixed = 0, free = 7;
 
-  // positions: of all vertices; they change
-  Foldover_free_energy(std::vector<Cell> cells, const std::vector<Eigen::Vector3d>& rest,
-                       const std::vector<Freedom>& freedoms, std::vector<Eigen::Vector3d>& positions)
-      : m_cells(std::move(cells)), m_positions(positions), m_unknowns(positions.size()) {
+  // guards: positive; positions: of all vertices; they change
+  Foldover_free_energy(std::vector<Cell> cells, const std::vector<Cell>& guards,
+                       const std::vector<Eigen::Vector3d>& rest, const std::vector<Freedom>& freedoms,
+                       std::vector<Eigen::Vector3d>& positions)
+      : m_cells(std::move(cells)),
+        m_first_guard(m_cells.size()),
+        m_positions(positions),
+        m_unknowns(positions.size()) {
+    m_cells.insert(m_cells.end(), guards.begin(), guards.end());
     for (std::size_t v = 0; v < positions.size(); ++v)
       for (int k = 0; k < 3; ++k)
         m_unknowns[v][k] = (freedoms[v] >> k & 1) != 0 ? m_number_of_unknowns++ : no_unknown;
@@ -135,7 +140,8 @@ private:
       const Eigen::Matrix3d& j = jacobian;
       cofactors << j.col(1).cross(j.col(2)), j.col(2).cross(j.col(0)), j.col(0).cross(j.col(1));
       determinant = j.col(0).dot(cofactors.col(0));
-      const double e = energy.m_epsilon, root = std::sqrt(e * e + determinant * determinant);
+      const double e = c < energy.m_first_guard ? energy.m_epsilon : 0,
+                   root = std::sqrt(e * e + determinant * determinant);
       chi = determinant > 0 ? (determinant + root) / 2
                             : e * e / (2 * (root - determinant)); // stable for both signs
       slope = chi / root;
@@ -259,6 +265,7 @@ private:
   }
 
   std::vector<Cell> m_cells;
+  std::size_t m_first_guard;
   std::vector<Eigen::Vector3d>& m_positions;
   std::vector<Unknowns> m_unknowns; // of the vertices
   std::uint32_t m_number_of_unknowns = 0;

@@ -167,7 +167,6 @@ public:
     const std::size_t before = count_flipped(cells);
     if (start == SMOOTHED) tangled.smooth();
     untangle(tangled);
-    if (!tangled.keeps_boundary()) return before;
     tangled.swap(m_images);
     const std::size_t after = count_flipped(cells);
     if (after < before) return after;
@@ -183,7 +182,6 @@ public:
   void polish(const std::vector<Cell_index>& cells, int most_steps) {
     Part distorted = part(cells, Part::SLIDING);
     distorted.energy().polish(most_steps);
-    if (!distorted.keeps_boundary()) return;
     distorted.swap(m_images);
     if (count_flipped(cells) > 0) distorted.swap(m_images);
   }

@@ -13,13 +13,10 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Foldover_free_energy.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Splittable_mesh.h>
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -71,16 +68,7 @@ public:
   }
 
   const std::vector<Cell>& cells() const { return m_cells; }
-  Foldover_free_energy energy() {
-    std::vector<Cell> cells = m_cells;
-    cells.insert(cells.end(), m_guards.begin(), m_guards.end());
-    return {std::move(cells), m_rest, m_freedoms, m_positions};
-  }
-
-  // Whether no boundary triangle has turned over.
-  bool keeps_boundary() const {
-    return std::all_of(m_guards.begin(), m_guards.end(), [this](const Cell& c) { return is_positive(c); });
-  }
+  Foldover_free_energy energy() { return {m_cells, m_guards, m_rest, m_freedoms, m_positions}; }
 
   // Moves each vertex inside to the mean of its neighbors, again and again: far from where it was tangled.
   void smooth() {
@@ -108,15 +96,6 @@ public:
   }
 
 private:
-  bool is_positive(const Cell& c) const {
-    using Kernel = Exact_predicates_inexact_constructions_kernel;
-    const auto at = [&](int i) {
-      const Position& p = m_positions[c[i]];
-      return Kernel::Point_3(p[0], p[1], p[2]);
-    };
-    return CGAL::orientation(at(0), at(1), at(2), at(3)) == POSITIVE;
-  }
-
   // For the facet opposite to vertex i of a cell, if it may slide.
   void add_guard(const Cell& cell, int i) {
     const std::array<Id, 3> facet{cell[(i + 1) % 4], cell[(i + 2) % 4], cell[(i + 3) % 4]};

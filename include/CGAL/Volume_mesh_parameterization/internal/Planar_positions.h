@@ -79,7 +79,8 @@ private:
     positions.clear();
     for (const Point_3& p : m_surface.points())
       positions.push_back(Point_2((p - CGAL::ORIGIN) * x, (p - CGAL::ORIGIN) * y));
-    return std::all_of(m_rims.begin(), m_rims.end(), [&](const Floor_rim& rim) { return turns_once(rim, positions); });
+    return std::all_of(m_rims.begin(), m_rims.end(),
+                       [&](const Floor_rim& rim) { return turns_once(rim, positions); });
   }
 
   // Whether the tangent of a rim turns by about one full turn, as that of a curve that does not cross itself does.

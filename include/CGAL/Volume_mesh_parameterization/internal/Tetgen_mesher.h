@@ -152,8 +152,7 @@ private:
     in.facetlist = new tetgenio::facet[m_surface.triangles.size()];
     in.facetmarkerlist = new int[m_surface.triangles.size()];
     std::copy(markers.begin(), markers.end(), in.facetmarkerlist);
-    for (int t = 0; t < in.numberoffacets; ++t)
-      fill(in.facetlist[t], m_surface.triangles[std::size_t(t)]);
+    for (int t = 0; t < in.numberoffacets; ++t) fill(in.facetlist[t], m_surface.triangles[std::size_t(t)]);
   }
 
   static void fill(tetgenio::facet& facet, const std::array<std::size_t, 3>& triangle) {

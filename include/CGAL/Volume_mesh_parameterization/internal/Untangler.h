@@ -82,7 +82,7 @@ public:
 
 private:
   // Bounds on the number of Newton steps of cells: for each cell of a small mesh, for one of some size, for each cell of a big one.
-  static constexpr double most_steps_per_cell = 20000, enough = 4e7, enough_per_cell = 400;
+  static constexpr double most_steps_per_cell = 5000, enough = 4e7, enough_per_cell = 100;
 
   Cells worst_cells() const {
     constexpr double bad = 20; // energy of a cell; 3.2 without distortion
