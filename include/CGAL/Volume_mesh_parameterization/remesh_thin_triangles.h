@@ -54,7 +54,7 @@ double share_of_thin_triangles(const Triangle_soup_3<Point>& surface) {
 
 gives a surface of thin triangles, as CAD systems write them, well-shaped ones: tetrahedra on thin triangles are thin, and
 leave a map no room. The shape stays, up to rounding: triangles are cut; those that share edges, lie in a plane and have the
-same label are cut anew together. The points that it had come first. A surface with less than 2 % of thin triangles by area
+same label are cut anew together. The points that it had come first. A surface with less than 10 % of thin triangles by area
 stays as it is.
 
 Needs TetGen 1.5 as `tetrahedralize()` does.
@@ -68,7 +68,7 @@ Needs TetGen 1.5 as `tetrahedralize()` does.
 template <typename Point>
 Status remesh_thin_triangles(Triangle_soup_3<Point>& surface) {
 #ifdef CGAL_VOLUME_MESH_PARAMETERIZATION_USE_TETGEN
-  constexpr double most = 0.02;
+  constexpr double most = 0.1;
   if (share_of_thin_triangles(surface) < most) return {};
   Triangle_soup_3<Point> parts = surface, remeshed;
   std::vector<int> part_labels;

@@ -51,7 +51,7 @@ public:
     std::ostringstream os;
     {
       Text_writer text(os);
-      text << quality << 'Y';
+      text << "pq1.4YQ";
       if (maximal_volume > 0) text << 'a' << maximal_volume;
     }
     std::vector<int> markers(m_surface.triangles.size());
@@ -62,12 +62,13 @@ public:
     return status;
   }
 
-  // Cuts the triangles into parts, those with the same label and in the same plane together, so that all are well shaped.
+  // Cuts the triangles into parts, those with the same label and in the same plane together, so that none is long and thin. A
+  // tighter bound than this makes many more of them.
   Status remesh(Triangle_soup_3<Point>& remeshed) const {
     std::vector<int> markers;
     for (int label : m_surface.labels) markers.push_back(label + 1);
     Output output;
-    const Status status = run(quality, markers, output);
+    const Status status = run("pq3Q", markers, output);
     if (!status.ok()) return status;
     remeshed = {};
     remeshed.points = points(output);
@@ -86,9 +87,8 @@ private:
     std::vector<int> cells, facets, markers; // 4, 3 and 1 numbers for each
   };
 
-  // p: a piecewise linear complex, q: radius-edge ratio 1.4, Q: silent; also Y: the surface stays as it is, a: volume
-  static constexpr const char* quality = "pq1.4Q";
-
+  // p: a piecewise linear complex, q: bound on the radius-edge ratio, Y: the surface stays as it is, a: bound on volumes,
+  // Q: silent
   Status run(const std::string& switches, const std::vector<int>& markers, Output& output) const {
     const bool has_ended = run_in_child_process(
         [&](Byte_writer& bytes) {
