@@ -12,8 +12,7 @@ using VMP::Status;
 bool Result_folder::has(const char* name) const { return std::filesystem::exists(file(name)); }
 
 Status Result_folder::create(const std::string& input) const {
-  constexpr const char* names[] = {object,    order,  domain, domain_order, parameter,
-                                   hexahedra, result, curves, report};
+  constexpr const char* names[] = {object, order, domain, domain_order, parameter, hexahedra, result, curves, report};
   std::error_code error;
   for (const char* name : names)
     if (std::filesystem::equivalent(file(name), input, error))
@@ -49,7 +48,5 @@ Status Result_folder::read_order(const char* name, std::vector<VMP::Cell_index>&
       return {VMP::ERROR_INDEX_OUT_OF_RANGE, file(name) + ": line " + std::to_string(cells.size() + 1)};
     cells.emplace_back(c);
   }
-  return in.eof()
-             ? Status()
-             : Status(VMP::ERROR_WRONG_FORMAT, file(name) + ": line " + std::to_string(cells.size() + 1));
+  return in.eof() ? Status() : Status(VMP::ERROR_WRONG_FORMAT, file(name) + ": line " + std::to_string(cells.size() + 1));
 }

@@ -20,8 +20,7 @@ public:
   CGAL::Volume_mesh_parameterization::Status create(const std::string& input) const;
 
   CGAL::Volume_mesh_parameterization::Status
-  write_order(const char* name,
-              const std::vector<CGAL::Volume_mesh_parameterization::Cell_index>& order) const;
+  write_order(const char* name, const std::vector<CGAL::Volume_mesh_parameterization::Cell_index>& order) const;
   CGAL::Volume_mesh_parameterization::Status
   read_order(const char* name, std::vector<CGAL::Volume_mesh_parameterization::Cell_index>& order) const;
   CGAL::Volume_mesh_parameterization::Status write_text(const char* name, const std::string& text) const;

@@ -36,8 +36,7 @@ public:
 
   void finish() {
     if (m_running.empty()) return;
-    m_stages.push_back(
-        {m_running, double(std::clock() - m_start) / CLOCKS_PER_SEC, CGAL::Memory_sizer().resident_size()});
+    m_stages.push_back({m_running, double(std::clock() - m_start) / CLOCKS_PER_SEC, CGAL::Memory_sizer().resident_size()});
     m_running.clear();
     if (m_shows) std::cerr << "\r\033[K" << std::flush;
   }
@@ -55,8 +54,7 @@ private:
 class Clock_visitor {
 public:
   // `prefix` is that of the names of stages.
-  explicit Clock_visitor(Stage_clock& clock, std::string prefix = {})
-      : m_clock(&clock), m_prefix(std::move(prefix)) {
+  explicit Clock_visitor(Stage_clock& clock, std::string prefix = {}) : m_clock(&clock), m_prefix(std::move(prefix)) {
     Interrupt::watch();
   }
 

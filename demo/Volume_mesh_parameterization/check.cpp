@@ -14,9 +14,9 @@ namespace {
 
 void print_patches(const VMP::Boundary_partition_3& partition) {
   for (const VMP::Boundary_patch_3& p : partition.patches)
-    std::cout << "  " << p.name() << ": " << p.number_of_facets << " triangles, area " << p.area
-              << ", Euler number " << p.euler_number << ", " << p.number_of_border_loops << " border loops, "
-              << p.number_of_components << " component(s)\n";
+    std::cout << "  " << p.name() << ": " << p.number_of_facets << " triangles, area " << p.area << ", Euler number "
+              << p.euler_number << ", " << p.number_of_border_loops << " border loops, " << p.number_of_components
+              << " component(s)\n";
 }
 
 Status read_solid(const Input_options& options, bool quiet, Mesh& mesh) {
@@ -27,8 +27,7 @@ Status read_solid(const Input_options& options, bool quiet, Mesh& mesh) {
   if (!status.ok()) return status;
   if (!quiet)
     std::cout << "surface: " << surface.points.size() << " vertices, " << surface.triangles.size()
-              << " triangles, closed, manifold, without self-intersections, genus " << VMP::genus(surface)
-              << '\n';
+              << " triangles, closed, manifold, without self-intersections, genus " << VMP::genus(surface) << '\n';
   status = VMP::tetrahedralize(surface, soup, options.number_of_tetrahedra);
   return status.ok() ? mesh.assign(soup) : status;
 }
@@ -53,12 +52,11 @@ Status check_solid(const Input_options& options, bool quiet) {
   status = VMP::certify_handlebody(mesh, certificate);
   if (!status.ok()) return status;
   if (!quiet)
-    std::cout << "handlebody: genus " << certificate.genus()
-              << ", certified by a collapse to a graph, longest word " << certificate.longest_word() << '\n';
+    std::cout << "handlebody: genus " << certificate.genus() << ", certified by a collapse to a graph, longest word "
+              << certificate.longest_word() << '\n';
   const auto labels = mesh.labelled_facets();
   const bool has_labels =
-      !is_surface_file(options.file) &&
-      std::any_of(labels.begin(), labels.end(), [](const auto& f) { return f.label != 0; });
+      !is_surface_file(options.file) && std::any_of(labels.begin(), labels.end(), [](const auto& f) { return f.label != 0; });
   return has_labels ? check_labels(mesh, certificate, quiet) : Status();
 }
 

@@ -34,7 +34,7 @@ struct Input_options {
 struct Parameterize_options {
   Input_options input;
   std::string folder;
-  std::string domain; // the file of a given polycube; if empty, it is that onto which the boundary map maps
+  std::string domain;       // the file of a given polycube; if empty, it is that onto which the boundary map maps
   std::vector<Pick> picks;  // of its floor and ceiling
   std::string boundary_map; // the file with the images of the vertices of the input in its boundary, or empty
   CGAL::Volume_mesh_parameterization::Floor_map_options prism; // what is asked of the prism that is found
@@ -50,8 +50,7 @@ struct Partition_command {
   Input_options input;
   std::string output;
   std::vector<Pick> picks;
-  CGAL::Volume_mesh_parameterization::Given_labels given_labels =
-      CGAL::Volume_mesh_parameterization::IGNORE_LABELS;
+  CGAL::Volume_mesh_parameterization::Given_labels given_labels = CGAL::Volume_mesh_parameterization::IGNORE_LABELS;
   std::size_t number_of_candidates = 4;
   std::size_t chosen = 0;
   bool quiet = false;

@@ -16,14 +16,10 @@ namespace {
 
 constexpr double most_cells = 1e7; // more is a slip of the keyboard
 
-void add_quiet(CLI::App& command, bool& quiet) {
-  command.add_flag("-q,--quiet", quiet, "say nothing but errors");
-}
+void add_quiet(CLI::App& command, bool& quiet) { command.add_flag("-q,--quiet", quiet, "say nothing but errors"); }
 
 void add_input(CLI::App& command, Input_options& options) {
-  command
-      .add_option("INPUT", options.file,
-                  "a closed triangle surface (.off .obj .ply .stl) or tetrahedra (.mesh .vtk .vtu)")
+  command.add_option("INPUT", options.file, "a closed triangle surface (.off .obj .ply .stl) or tetrahedra (.mesh .vtk .vtu)")
       ->required();
   command.add_option("--tets", options.number_of_tetrahedra, "about how many tetrahedra for a surface input")
       ->check(CLI::Range(1., most_cells).description("up to 1e7"))
@@ -31,14 +27,12 @@ void add_input(CLI::App& command, Input_options& options) {
 }
 
 void add_keep_triangles(CLI::App& command, Input_options& options) {
-  command.add_flag("--keep-triangles", options.keeps_triangles,
-                   "do not cut a surface of long and thin triangles into better ones");
+  command.add_flag("--keep-triangles", options.keeps_triangles, "do not cut a surface of long and thin triangles into better ones");
 }
 
 // Options whose values are picks; `parse` says which.
 template <typename Parse>
-CLI::Option* add_picks(CLI::App& command, const char* name, const char* type, const char* description,
-                       std::vector<Pick>& picks, Parse parse) {
+CLI::Option* add_picks(CLI::App& command, const char* name, const char* type, const char* description, std::vector<Pick>& picks, Parse parse) {
   const auto add = [&picks, parse](const std::vector<std::string>& texts) {
     for (const std::string& text : texts) {
       const auto pick = parse(text);
@@ -53,23 +47,16 @@ CLI::Option* add_picks(CLI::App& command, const char* name, const char* type, co
 void add_partition(CLI::App& command, Partition_command& options) {
   add_input(command, options.input);
   add_keep_triangles(command, options.input);
-  command.add_option("-o,--output", options.output, "the file for the labelled tetrahedra (.mesh)")
-      ->required();
-  command.add_option("--direction", options.input.direction, "from the floor to the ceiling, as X,Y,Z")
-      ->delimiter(',');
-  add_picks(command, "--floor", "PICK",
-            "a triangle that is to be floor: its number in a surface file, from 0, or X,Y,Z for the nearest",
-            options.picks, [](const std::string& text) { return parse_pick(VMP::FLOOR, text); });
+  command.add_option("-o,--output", options.output, "the file for the labelled tetrahedra (.mesh)")->required();
+  command.add_option("--direction", options.input.direction, "from the floor to the ceiling, as X,Y,Z")->delimiter(',');
+  add_picks(command, "--floor", "PICK", "a triangle that is to be floor: its number in a surface file, from 0, or X,Y,Z for the nearest", options.picks,
+            [](const std::string& text) { return parse_pick(VMP::FLOOR, text); });
   add_picks(command, "--ceiling", "PICK", "a triangle that is to be ceiling", options.picks,
             [](const std::string& text) { return parse_pick(VMP::CEILING, text); });
-  add_picks(command, "--wall", "K:PICK", "a triangle that is to be in wall K", options.picks,
-            parse_wall_pick);
+  add_picks(command, "--wall", "K:PICK", "a triangle that is to be in wall K", options.picks, parse_wall_pick);
   const std::map<std::string, VMP::Given_labels> uses = {
       {"ignore", VMP::IGNORE_LABELS}, {"keep", VMP::KEEP_LABELS}, {"mend", VMP::MEND_LABELS}};
-  command
-      .add_option(
-          "--labels", options.given_labels,
-          "what labels in INPUT are for: nothing (default), facets to keep them, or a partition to mend")
+  command.add_option("--labels", options.given_labels, "what labels in INPUT are for: nothing (default), facets to keep them, or a partition to mend")
       ->transform(CLI::CheckedTransformer(uses).description("{ignore,keep,mend}"))
       ->excludes("--floor", "--ceiling", "--wall");
   command.add_option("--candidates", options.number_of_candidates, "how many partitions to compare")
@@ -85,72 +72,43 @@ void add_parameterize(CLI::App& command, Parameterize_options& options) {
   add_input(command, options.input);
   add_keep_triangles(command, options.input);
   command.add_option("-o,--output", options.folder, "the folder for the result")->required();
-  CLI::Option* partition = command
-                               .add_option("--partition", options.input.partition,
-                                           "where floor, ceiling and walls come from; default: labels if "
-                                           "INPUT has them and there is no --direction, else auto")
-                               ->check(CLI::IsMember({"auto", "labels"}));
-  command
-      .add_option("--direction", options.input.direction,
-                  "from the floor to the ceiling, as X,Y,Z; with --boundary-map: those of POLYCUBE")
+  CLI::Option* partition = command.add_option("--partition", options.input.partition, "where floor, ceiling and walls come from; default: labels if INPUT has them and there is no --direction, else auto")
+      ->check(CLI::IsMember({"auto", "labels"}));
+  command.add_option("--direction", options.input.direction, "from the floor to the ceiling, as X,Y,Z; with --boundary-map: those of POLYCUBE")
       ->delimiter(',');
   const std::map<std::string, Field> fields = {
       {"certified", Field::CERTIFIED}, {"flux", Field::FLUX}, {"paper", Field::PAPER}};
-  command
-      .add_option("--field", options.field,
-                  "the curves: certified (default), of the flux itself, or also the paper's averaged "
-                  "gradient for comparison")
+  command.add_option("--field", options.field, "the curves: certified (default), of the flux itself, or also the paper's averaged gradient for comparison")
       ->transform(CLI::CheckedTransformer(fields).description("{certified,flux,paper}"));
-  CLI::Option* hexes = command
-                           .add_option("--hexes", options.number_of_hexahedra,
-                                       "also a hexahedral mesh of about so many cells; 0: none")
-                           ->check(CLI::Range(0., most_cells).description("up to 1e7"))
-                           ->capture_default_str();
-  command.add_flag(
-      "--pillow", options.has_pillow,
-      "with --hexes: a layer of hexahedra along the boundary, for good corners where it is smooth");
+  CLI::Option* hexes = command.add_option("--hexes", options.number_of_hexahedra, "also a hexahedral mesh of about so many cells; 0: none")
+      ->check(CLI::Range(0., most_cells).description("up to 1e7"))
+      ->capture_default_str();
+  command.add_flag("--pillow", options.has_pillow, "with --hexes: a layer of hexahedra along the boundary, for good corners where it is smooth");
   command.callback([&options] {
-    if (options.has_pillow && options.number_of_hexahedra == 0)
-      throw CLI::RequiresError("--pillow", "--hexes");
+    if (options.has_pillow && options.number_of_hexahedra == 0) throw CLI::RequiresError("--pillow", "--hexes");
   });
-  CLI::Option* boundary_map =
-      command
-          .add_option("--boundary-map", options.boundary_map,
-                      "onto a polycube instead of a prism that fits: a file like INPUT whose points are the "
-                      "images of the vertices of INPUT; those on the boundary count")
-          ->type_name("FILE")
-          ->excludes(partition)
-          ->excludes(hexes);
-  command
-      .add_option("--domain", options.domain,
-                  "the polycube: a closed surface, tetrahedra, hexahedra (.mesh), or a list of integer cells "
-                  "(.txt .cells); default: what the boundary map maps onto")
+  CLI::Option* boundary_map = command.add_option("--boundary-map", options.boundary_map, "onto a polycube instead of a prism that fits: a file like INPUT whose points are the images of the vertices of INPUT; those on the boundary count")
+      ->type_name("FILE")
+      ->excludes(partition)
+      ->excludes(hexes);
+  command.add_option("--domain", options.domain, "the polycube: a closed surface, tetrahedra, hexahedra (.mesh), or a list of integer cells (.txt .cells); default: what the boundary map maps onto")
       ->type_name("POLYCUBE")
       ->needs(boundary_map);
-  for (const auto& [name, label] :
-       {std::pair<const char*, int>("--floor", VMP::FLOOR), {"--ceiling", VMP::CEILING}}) {
-    const std::string description = "a face of POLYCUBE that is to be " + VMP::patch_name(label) +
-                                    ": the number of a facet in a surface file, from 0, or X,Y,Z for the "
-                                    "nearest; default: labels in POLYCUBE, else its lowest and highest faces";
-    add_picks(command, name, "PICK", description.c_str(), options.picks,
-              [label = label](const std::string& text) { return parse_pick(label, text); })
+  for (const auto& [name, label] : {std::pair<const char*, int>("--floor", VMP::FLOOR), {"--ceiling", VMP::CEILING}}) {
+    const std::string description = "a face of POLYCUBE that is to be " + VMP::patch_name(label) + ": the number of a facet in a surface file, from 0, or X,Y,Z for the nearest; default: labels in POLYCUBE, else its lowest and highest faces";
+    add_picks(command, name, "PICK", description.c_str(), options.picks, [label = label](const std::string& text) { return parse_pick(label, text); })
         ->needs(boundary_map);
   }
-  command
-      .add_option("--domain-size", options.prism.size,
-                  "width, depth and height of the prism that fits, as X,Y,Z; 0: in proportion to the others")
+  command.add_option("--domain-size", options.prism.size, "width, depth and height of the prism that fits, as X,Y,Z; 0: in proportion to the others")
       ->type_name("X,Y,Z")
       ->delimiter(',')
       ->excludes(boundary_map);
-  command
-      .add_flag("--integer-planes", options.prism.integer_planes,
-                "all planes of the prism that fits are integers; without --domain-size, in a unit that fits")
+  command.add_flag("--integer-planes", options.prism.integer_planes, "all planes of the prism that fits are integers; without --domain-size, in a unit that fits")
       ->excludes(boundary_map);
   command.add_option("--solver", options.solver, "for the linear systems")
       ->check(CLI::IsMember(Chosen_solver_traits::names()))
       ->capture_default_str();
-  command
-      .add_option("--threads", options.threads, "how many threads at most; the result does not depend on it")
+  command.add_option("--threads", options.threads, "how many threads at most; the result does not depend on it")
       ->check(CLI::Range(std::size_t(1), Thread_limit::most).description("up to 1024"))
       ->check(CLI::Validator([](std::string& number) { return Thread_limit::refusal(number); }, ""))
       ->capture_default_str();
@@ -163,14 +121,12 @@ int run(int argc, char** argv) {
   app.require_subcommand(1);
   bool quiet = false;
 
-  CLI::App* check_command =
-      app.add_subcommand("check", "Tells what a file holds: manifold, genus, handlebody, legal labels.");
+  CLI::App* check_command = app.add_subcommand("check", "Tells what a file holds: manifold, genus, handlebody, legal labels.");
   Input_options check_options;
   add_input(*check_command, check_options);
   add_quiet(*check_command, quiet);
 
-  CLI::App* partition_command =
-      app.add_subcommand("partition", "Divides the boundary of a solid into floor, ceiling and walls.");
+  CLI::App* partition_command = app.add_subcommand("partition", "Divides the boundary of a solid into floor, ceiling and walls.");
   Partition_command partition_options;
   add_partition(*partition_command, partition_options);
 
@@ -178,8 +134,7 @@ int run(int argc, char** argv) {
   Parameterize_options parameterize_options;
   add_parameterize(*parameterize_command, parameterize_options);
 
-  CLI::App* verify_command =
-      app.add_subcommand("verify", "Checks the files of a result again, from scratch.");
+  CLI::App* verify_command = app.add_subcommand("verify", "Checks the files of a result again, from scratch.");
   std::string folder;
   verify_command->add_option("DIR", folder, "the folder of a result")->required();
   add_quiet(*verify_command, quiet);

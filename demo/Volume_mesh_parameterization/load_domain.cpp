@@ -26,8 +26,8 @@ namespace {
 
 bool holds_hexahedra(const std::string& file) {
   std::ifstream is(file);
-  return file_extension(file) == ".mesh" && std::find(std::istream_iterator<std::string>(is), {},
-                                                      "Hexahedra") != std::istream_iterator<std::string>();
+  return file_extension(file) == ".mesh" &&
+         std::find(std::istream_iterator<std::string>(is), {}, "Hexahedra") != std::istream_iterator<std::string>();
 }
 
 // One polycube, as the options say.
@@ -43,8 +43,7 @@ public:
     if (is_surface_file(file)) return fill([&](Polygons& p) { return VMP::IO::read_polygons(file, p); });
     if (!is_list && !holds_hexahedra(file)) return read_tetrahedra(file, m_domain);
     const Status status = is_list ? VMP::IO::read_cells(file, boxes) : VMP::IO::read_MEDIT(file, boxes);
-    return status.ok() ? VMP::tetrahedralize_polycube(boxes, m_domain, m_options.input.number_of_tetrahedra)
-                       : status;
+    return status.ok() ? VMP::tetrahedralize_polycube(boxes, m_domain, m_options.input.number_of_tetrahedra) : status;
   }
 
   // By picked faces, else labels in the file, else the direction, else the height.
@@ -52,8 +51,7 @@ public:
     if (!m_options.picks.empty()) return label_picked();
     if (m_options.input.direction) return label_along(*m_options.input.direction, clock);
     const auto labels = m_domain.labelled_facets();
-    const bool has_labels =
-        std::any_of(labels.begin(), labels.end(), [](const auto& f) { return f.label != 0; });
+    const bool has_labels = std::any_of(labels.begin(), labels.end(), [](const auto& f) { return f.label != 0; });
     return has_labels ? Status() : VMP::label_polycube_by_height(m_domain);
   }
 
@@ -62,11 +60,8 @@ private:
   Status fill(const Read& read) {
     Polygons polygons;
     Status status = read(polygons);
-    if (status.ok() && is_surface_file(m_options.domain))
-      status = apply_numbered_picks(m_options.picks, polygons);
-    return status.ok()
-               ? VMP::tetrahedralize_polycube(polygons, m_domain, m_options.input.number_of_tetrahedra)
-               : status;
+    if (status.ok() && is_surface_file(m_options.domain)) status = apply_numbered_picks(m_options.picks, polygons);
+    return status.ok() ? VMP::tetrahedralize_polycube(polygons, m_domain, m_options.input.number_of_tetrahedra) : status;
   }
 
   Status label_picked() {
@@ -81,8 +76,7 @@ private:
     const auto axis = std::find_if_not(direction.begin(), direction.end(), is_zero);
     if (std::count_if(direction.begin(), direction.end(), is_zero) == 2 && std::isfinite(*axis))
       return VMP::label_polycube(m_domain, int(axis - direction.begin()), *axis > 0);
-    return VMP::partition_boundary(m_domain, partition_options(m_options.input), nullptr,
-                                   Clock_visitor(clock));
+    return VMP::partition_boundary(m_domain, partition_options(m_options.input), nullptr, Clock_visitor(clock));
   }
 
   const Parameterize_options& m_options;

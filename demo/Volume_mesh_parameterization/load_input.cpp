@@ -28,8 +28,7 @@ namespace {
 Status read_polygons(const std::string& file, Surface& surface) {
   CGAL::Surface_mesh<Point_3> mesh;
   if (!CGAL::IO::read_polygon_mesh(file, mesh) || !CGAL::Polygon_mesh_processing::triangulate_faces(mesh))
-    return {VMP::ERROR_NOT_TRIANGULATED,
-            file + ": the polygons cannot be cut into triangles that make a surface"};
+    return {VMP::ERROR_NOT_TRIANGULATED, file + ": the polygons cannot be cut into triangles that make a surface"};
   return VMP::make_triangle_soup(mesh, surface);
 }
 
@@ -54,8 +53,8 @@ Status load_surface(const Input_options& options, Stage_clock& clock, Input& inp
   if (!status.ok()) return status;
   if (cut_thin_triangles(options, surface)) input.number_of_triangles = surface.triangles.size();
   clock.start("partition and tetrahedralize");
-  return VMP::partition_and_tetrahedralize(surface, partition_options(options), options.number_of_tetrahedra,
-                                           input.mesh, &input.chosen.emplace(), Clock_visitor(clock));
+  return VMP::partition_and_tetrahedralize(surface, partition_options(options), options.number_of_tetrahedra, input.mesh,
+                                           &input.chosen.emplace(), Clock_visitor(clock));
 }
 
 Status load_tetrahedra(const Input_options& options, Stage_clock& clock, Input& input) {
@@ -64,12 +63,10 @@ Status load_tetrahedra(const Input_options& options, Stage_clock& clock, Input& 
   if (!status.ok()) return status;
   const auto labels = input.mesh.labelled_facets();
   const bool is_auto = options.partition == "auto" || (options.partition.empty() && options.direction);
-  input.has_labels =
-      !is_auto && std::any_of(labels.begin(), labels.end(), [](const auto& f) { return f.label != 0; });
+  input.has_labels = !is_auto && std::any_of(labels.begin(), labels.end(), [](const auto& f) { return f.label != 0; });
   if (options.partition == "labels" || input.has_labels) return {};
   clock.start("partition");
-  return VMP::partition_boundary(input.mesh, partition_options(options), &input.chosen.emplace(),
-                                 Clock_visitor(clock));
+  return VMP::partition_boundary(input.mesh, partition_options(options), &input.chosen.emplace(), Clock_visitor(clock));
 }
 
 } // namespace
@@ -82,8 +79,7 @@ std::string file_extension(const std::string& file) {
 
 VMP::Partition_options partition_options(const Input_options& options) {
   VMP::Partition_options result;
-  if (options.direction)
-    result.directions = {{(*options.direction)[0], (*options.direction)[1], (*options.direction)[2]}};
+  if (options.direction) result.directions = {{(*options.direction)[0], (*options.direction)[1], (*options.direction)[2]}};
   return result;
 }
 
@@ -99,8 +95,7 @@ Status read_surface(const std::string& file, Surface& surface) {
 
 bool cut_thin_triangles(const Input_options& options, Surface& surface) {
   const std::size_t before = surface.triangles.size();
-  return !options.keeps_triangles && VMP::remesh_thin_triangles(surface).ok() &&
-         surface.triangles.size() > before;
+  return !options.keeps_triangles && VMP::remesh_thin_triangles(surface).ok() && surface.triangles.size() > before;
 }
 
 Status read_tetrahedra(const std::string& file, Mesh& mesh) {
@@ -125,10 +120,8 @@ Status load_unlabelled(const Input_options& options, Stage_clock& clock, Input& 
   input.is_surface = is_surface_file(options.file);
   Surface surface;
   Soup soup;
-  Status status =
-      input.is_surface ? read_surface(options.file, surface) : read_tetrahedra(options.file, input.mesh);
-  if (status.ok() && input.is_surface)
-    status = VMP::tetrahedralize(surface, soup, options.number_of_tetrahedra);
+  Status status = input.is_surface ? read_surface(options.file, surface) : read_tetrahedra(options.file, input.mesh);
+  if (status.ok() && input.is_surface) status = VMP::tetrahedralize(surface, soup, options.number_of_tetrahedra);
   if (status.ok() && input.is_surface) status = input.mesh.assign(soup);
   input.number_of_points = input.is_surface ? surface.points.size() : input.mesh.number_of_vertices();
   return status;

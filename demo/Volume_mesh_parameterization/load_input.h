@@ -17,8 +17,8 @@ struct Input {
   Mesh mesh;
   std::size_t number_of_points = 0; // in the file, as far as they are used
   bool is_surface = false;
-  std::size_t number_of_triangles = 0;              // of a surface whose thin triangles were cut, else 0
-  bool has_labels = false;                          // given in the file
+  std::size_t number_of_triangles = 0; // of a surface whose thin triangles were cut, else 0
+  bool has_labels = false;                           // given in the file
   std::optional<VMP::Partition_candidate_3> chosen; // the automatic partition
 };
 

@@ -104,8 +104,7 @@ private:
 
   Status map_solid(const Input& input, const FloorMap& floor_map) {
     m_report["input"]["kind"] = input.is_surface ? "surface" : "tetrahedra";
-    if (input.number_of_triangles > 0)
-      m_report["input"]["triangles_after_cutting_thin_ones"] = input.number_of_triangles;
+    if (input.number_of_triangles > 0) m_report["input"]["triangles_after_cutting_thin_ones"] = input.number_of_triangles;
     const auto type = m_options.field == Field::FLUX ? VMP::FLUX_CURVES : VMP::CERTIFIED_CURVES;
     m_parameterizer.emplace(floor_map);
     const Status status = m_parameterizer->template run<CGAL::Parallel_if_available_tag>(

@@ -36,8 +36,7 @@ public:
     if (!status.ok()) return status;
     if (!m_options.quiet) list(search);
     if (m_options.chosen >= search.candidates().size())
-      return {VMP::ERROR_NO_PARTITION,
-              "there are only " + std::to_string(search.candidates().size()) + " candidates"};
+      return {VMP::ERROR_NO_PARTITION, "there are only " + std::to_string(search.candidates().size()) + " candidates"};
     status = label(search);
     return status.ok() ? VMP::IO::write_MEDIT(m_options.output, m_solid) : status;
   }
@@ -79,16 +78,15 @@ private:
 
   static void list(const Search& search) {
     std::printf("%zu legal of %zu tried\n", search.candidates().size(), search.number_of_trials());
-    std::printf("%2s %-8s %-22s %6s %7s %6s %5s %6s %5s %5s  %s\n", "#", "by", "direction", "floor",
-                "ceiling", "walls", "rims", "zigzag", "gap", "cost", "smallest wall");
+    std::printf("%2s %-8s %-22s %6s %7s %6s %5s %6s %5s %5s  %s\n", "#", "by", "direction", "floor", "ceiling", "walls", "rims",
+                "zigzag", "gap", "cost", "smallest wall");
     for (std::size_t i = 0; i < search.candidates().size(); ++i) {
       const VMP::Partition_candidate_3& c = search.candidates()[i];
       const VMP::Partition_quality& q = c.quality;
       const auto& d = c.direction;
-      std::printf("%2zu %-8s %6.3f,%6.3f,%6.3f   %5.1f%% %6.1f%% %5.1f%% %5.2f %6.3f %5.3f %5.2f  %.2f%%\n",
-                  i, VMP::method_name(c.method), d.x(), d.y(), d.z(), 100 * q.floor_share,
-                  100 * q.ceiling_share, 100 * q.wall_share, q.rim_length, q.zigzag, q.wall_gap, c.cost,
-                  100 * q.smallest_wall * q.wall_share);
+      std::printf("%2zu %-8s %6.3f,%6.3f,%6.3f   %5.1f%% %6.1f%% %5.1f%% %5.2f %6.3f %5.3f %5.2f  %.2f%%\n", i,
+                  VMP::method_name(c.method), d.x(), d.y(), d.z(), 100 * q.floor_share, 100 * q.ceiling_share,
+                  100 * q.wall_share, q.rim_length, q.zigzag, q.wall_gap, c.cost, 100 * q.smallest_wall * q.wall_share);
     }
     std::fflush(stdout);
   }
@@ -105,6 +103,5 @@ int partition(const Partition_command& options) {
   const Status status = Partition_run(options).run();
   if (status.ok()) return EVERYTHING_CERTIFIED;
   std::cerr << "handlebody: " << options.input.file << ": " << status.message() << std::endl;
-  return status.code() == VMP::ERROR_CANCELLED || status.code() == VMP::ERROR_CANNOT_SPLIT ? NOT_CERTIFIED
-                                                                                           : INPUT_REFUSED;
+  return status.code() == VMP::ERROR_CANCELLED || status.code() == VMP::ERROR_CANNOT_SPLIT ? NOT_CERTIFIED : INPUT_REFUSED;
 }

@@ -86,11 +86,9 @@ Status apply_picks(const std::vector<Pick>& picks, VMP::Triangle_soup_3<Point_3>
   };
   Status status;
   for (std::size_t k = 0; k < picks.size() && status.ok(); ++k) {
-    const std::size_t t =
-        picks[k].number ? *picks[k].number : nearest(picks[k].point, surface.triangles.size(), triangle);
+    const std::size_t t = picks[k].number ? *picks[k].number : nearest(picks[k].point, surface.triangles.size(), triangle);
     if (t >= surface.triangles.size())
-      return {VMP::ERROR_INDEX_OUT_OF_RANGE,
-              "triangle " + std::to_string(t) + " of " + std::to_string(surface.triangles.size())};
+      return {VMP::ERROR_INDEX_OUT_OF_RANGE, "triangle " + std::to_string(t) + " of " + std::to_string(surface.triangles.size())};
     status = give(picks[k].label, t, surface.labels[t]);
   }
   return status;
@@ -111,8 +109,7 @@ Status apply_numbered_picks(const std::vector<Pick>& picks, VMP::Polygon_soup_3<
     if (!picks[k].number) continue;
     const std::size_t f = *picks[k].number;
     if (f >= surface.polygons.size())
-      return {VMP::ERROR_INDEX_OUT_OF_RANGE,
-              "facet " + std::to_string(f) + " of " + std::to_string(surface.polygons.size())};
+      return {VMP::ERROR_INDEX_OUT_OF_RANGE, "facet " + std::to_string(f) + " of " + std::to_string(surface.polygons.size())};
     status = give(picks[k].label, f, surface.labels[f]);
   }
   return status;

@@ -43,8 +43,7 @@ Json report_status(const VMP::Status& status) {
 
 Json report_stages(const Stage_clock& clock) {
   Json stages = Json::object();
-  for (const Stage_clock::Stage& s : clock.stages())
-    stages[s.name] = {{"seconds", s.seconds}, {"bytes", s.bytes}};
+  for (const Stage_clock::Stage& s : clock.stages()) stages[s.name] = {{"seconds", s.seconds}, {"bytes", s.bytes}};
   return stages;
 }
 
@@ -89,8 +88,7 @@ Json report_sweep(const VMP::Sweep_report& report) {
 
 Json report_maximum_principle(const Product::Harmonic_function& f) {
   Json violations = Json::array();
-  for (VMP::Vertex_index v : f.maximum_principle_violations())
-    violations.push_back({{"vertex", std::size_t(v)}, {"f", f(v)}});
+  for (VMP::Vertex_index v : f.maximum_principle_violations()) violations.push_back({{"vertex", std::size_t(v)}, {"f", f(v)}});
   return {{"share_of_negative_weights", f.share_of_negative_weights()}, {"violations", violations}};
 }
 
@@ -130,15 +128,14 @@ Json report_angles(const Product& product, const std::vector<double>& angles_of_
   json["share_of_volume_where_w_follows_f"] =
       share_of_volume(mesh, volumes, [&](VMP::Cell_index c) { return field.follows_harmonic_level(c); });
   if (const auto* structure = product.product_structure())
-    json["share_of_volume_where_flux_obeys_the_sweep"] = share_of_volume(
-        mesh, volumes, [&](VMP::Cell_index c) { return flux.signs(c) == structure->signs(c); });
+    json["share_of_volume_where_flux_obeys_the_sweep"] =
+        share_of_volume(mesh, volumes, [&](VMP::Cell_index c) { return flux.signs(c) == structure->signs(c); });
   return json;
 }
 
 Json report_domain(const VMP::Prism_3<Kernel>& domain) {
   Json holes = Json::array();
-  for (std::size_t k = 0; k < domain.number_of_holes(); ++k)
-    holes.push_back(report_rectangle(domain.hole(k)));
+  for (std::size_t k = 0; k < domain.number_of_holes(); ++k) holes.push_back(report_rectangle(domain.hole(k)));
   return {{"rectangle", report_rectangle(domain.outer())}, {"holes", holes}, {"height", domain.height()}};
 }
 
@@ -183,8 +180,7 @@ Json report_distance(const VMP::Map_distance& distance, const std::vector<Point_
 }
 
 Json report_line_angles(const Mesh& mesh, const std::vector<Point_3>& images) {
-  return report_statistics(
-      {VMP::measure_line_angles(mesh, images), VMP::measure_volumes(mesh, mesh.points())});
+  return report_statistics({VMP::measure_line_angles(mesh, images), VMP::measure_volumes(mesh, mesh.points())});
 }
 
 Json report_hexahedra(const VMP::Hexahedra_report& report, std::size_t number, bool has_pillow) {

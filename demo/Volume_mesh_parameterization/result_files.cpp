@@ -14,8 +14,7 @@ struct Curve_collection {
   std::vector<double> levels;
   std::vector<int> curves, domains;
 
-  void add(int curve, int domain, const std::vector<Point_3>& points,
-           const std::vector<double>& levels_of_points) {
+  void add(int curve, int domain, const std::vector<Point_3>& points, const std::vector<double>& levels_of_points) {
     polylines.push_back(points);
     levels.insert(levels.end(), levels_of_points.begin(), levels_of_points.end());
     curves.push_back(curve);
@@ -41,8 +40,7 @@ std::vector<Kernel::Point_2> some_feet(const VMP::Product_map_3<Kernel, Prism_fl
   std::vector<Kernel::Point_2> feet;
   for (double x : grid.x)
     for (double y : grid.y)
-      if (map.domain().bounded_side(Kernel::Point_2(x, y)) != CGAL::ON_UNBOUNDED_SIDE)
-        feet.emplace_back(x, y);
+      if (map.domain().bounded_side(Kernel::Point_2(x, y)) != CGAL::ON_UNBOUNDED_SIDE) feet.emplace_back(x, y);
   return feet;
 }
 
@@ -55,20 +53,16 @@ std::vector<VMP::Base_point_3<Kernel>> some_feet(const VMP::Product_map_3<Kernel
     all.push_back({f, {1. / 3, 1. / 3, 1. / 3}});
     all.push_back({f, {1, 0, 0}});
   }
-  for (std::size_t k = 0; k < all.size(); k += 1 + all.size() / about_curves)
-    feet.push_back(map.floor_map().image(all[k]));
+  for (std::size_t k = 0; k < all.size(); k += 1 + all.size() / about_curves) feet.push_back(map.floor_map().image(all[k]));
   return feet;
 }
 
-Status add_image(const VMP::Prism_3<Kernel>& domain, const Kernel::Point_2& foot, int number,
-                 Curve_collection& curves) {
-  curves.add(number, 1, {Point_3(foot.x(), foot.y(), 0), Point_3(foot.x(), foot.y(), domain.height())},
-             {0, 1});
+Status add_image(const VMP::Prism_3<Kernel>& domain, const Kernel::Point_2& foot, int number, Curve_collection& curves) {
+  curves.add(number, 1, {Point_3(foot.x(), foot.y(), 0), Point_3(foot.x(), foot.y(), domain.height())}, {0, 1});
   return {};
 }
 
-Status add_image(const Polycube& domain, const VMP::Base_point_3<Kernel>& foot, int number,
-                 Curve_collection& curves) {
+Status add_image(const Polycube& domain, const VMP::Base_point_3<Kernel>& foot, int number, Curve_collection& curves) {
   VMP::Integral_curve_3<Kernel> curve;
   const Status status = domain.curve_over(foot, curve);
   if (status.ok()) curves.add(number, 1, domain.mesh(), curve);
@@ -86,8 +80,7 @@ Status write_some_curves(const Result_folder& folder, const VMP::Product_map_3<K
     if (!status.ok()) return status;
     collection.add(number++, 0, map.curves().mesh(), curve);
   }
-  return VMP::IO::write_VTP(folder.file(Result_folder::curves), collection.polylines,
-                            {{"w", collection.levels}},
+  return VMP::IO::write_VTP(folder.file(Result_folder::curves), collection.polylines, {{"w", collection.levels}},
                             {{"curve", collection.curves}, {"domain", collection.domains}});
 }
 
@@ -109,15 +102,12 @@ Status write_result(const Result_folder& folder, const Mesh& mesh, const Result_
     w.push_back(p.z() / height);
   }
   VMP::IO::VTU_content content;
-  for (const VMP::Critical_vertex& v : singularities.critical_vertices)
-    content.marked_vertices.push_back(v.vertex);
-  for (const VMP::Irregular_edge& e : singularities.irregular_edges)
-    content.marked_edges.push_back(e.vertices);
-  const std::size_t cells = mesh.number_of_cells() + mesh.number_of_boundary_facets() +
-                            content.marked_vertices.size() + content.marked_edges.size();
+  for (const VMP::Critical_vertex& v : singularities.critical_vertices) content.marked_vertices.push_back(v.vertex);
+  for (const VMP::Irregular_edge& e : singularities.irregular_edges) content.marked_edges.push_back(e.vertices);
+  const std::size_t cells = mesh.number_of_cells() + mesh.number_of_boundary_facets() + content.marked_vertices.size() +
+                            content.marked_edges.size();
   content.point_data = {{"f", fields.f}, {"u", u}, {"v", v}, {"w", w}};
-  content.cell_data = {{"sweep_position", padded(fields.positions, cells)},
-                       {"angle", padded(fields.angles, cells)}};
+  content.cell_data = {{"sweep_position", padded(fields.positions, cells)}, {"angle", padded(fields.angles, cells)}};
   return VMP::IO::write_VTU(folder.file(Result_folder::result), mesh, content);
 }
 

@@ -25,18 +25,17 @@ struct Singularities {
 // What result.vtu tells about the mesh that is written.
 struct Result_fields {
   std::vector<double> f;
-  std::vector<Point_3> images; // along curves: (u, v, w times the height)
-  std::vector<int> positions;  // of cells in the sweep
-  std::vector<double> angles;  // of cells
+  std::vector<Point_3> images;  // along curves: (u, v, w times the height)
+  std::vector<int> positions;   // of cells in the sweep
+  std::vector<double> angles;   // of cells
 };
 
 // result.vtu: the object mesh with f, u, v, w, labels, sweep positions, angles, critical points and irregular edges.
-VMP::Status write_result(const Result_folder& folder, const Mesh& mesh, const Result_fields& fields,
-                         double height, const Singularities& singularities);
+VMP::Status write_result(const Result_folder& folder, const Mesh& mesh, const Result_fields& fields, double height,
+                         const Singularities& singularities);
 
 // curves.vtp: some integral curves in M and their images in P.
 VMP::Status write_curves(const Result_folder& folder, const VMP::Product_map_3<Kernel, Prism_floor_map>& map);
-VMP::Status write_curves(const Result_folder& folder,
-                         const VMP::Product_map_3<Kernel, Given_boundary_map>& map);
+VMP::Status write_curves(const Result_folder& folder, const VMP::Product_map_3<Kernel, Given_boundary_map>& map);
 
 #endif // HANDLEBODY_RESULT_FILES_H

@@ -25,8 +25,7 @@ public:
   bool operator()(const std::string& file, const Status& status, const std::string& what_holds) {
     if (!status.ok()) {
       std::cerr << file << ": " << status.message() << std::endl;
-      const bool unreadable =
-          status.code() == VMP::ERROR_CANNOT_READ_FILE || status.code() == VMP::ERROR_WRONG_FORMAT;
+      const bool unreadable = status.code() == VMP::ERROR_CANNOT_READ_FILE || status.code() == VMP::ERROR_WRONG_FORMAT;
       m_exit_code = unreadable ? INPUT_REFUSED : NOT_CERTIFIED;
     } else if (!m_quiet)
       std::cout << file << ": " << what_holds << std::endl;
@@ -62,8 +61,7 @@ Status verify_parameter(const Result_folder& folder, const Mesh& mesh) {
   Soup images;
   const Status status = VMP::IO::read_MEDIT(folder.file(Result_folder::parameter), images);
   if (!status.ok()) return status;
-  bool same =
-      images.points.size() == mesh.number_of_vertices() && images.cells.size() == mesh.number_of_cells();
+  bool same = images.points.size() == mesh.number_of_vertices() && images.cells.size() == mesh.number_of_cells();
   for (VMP::Cell_index c : mesh.cells())
     same = same && std::equal(mesh.cell(c).begin(), mesh.cell(c).end(), images.cells[c].begin());
   if (!same) return {VMP::ERROR_MAP_NOT_BIJECTIVE, "it has other vertices or tetrahedra than object.mesh"};
@@ -77,20 +75,18 @@ Status verify_hexahedra(const Result_folder& folder, std::string& what_holds) {
   const VMP::Hexahedra_report report = VMP::verify_hexahedra(hexahedra);
   std::ostringstream text;
   text << hexahedra.hexahedra.size() << " hexahedra, none inverted, " << report.irregular_edges
-       << " irregular interior edges, scaled Jacobian at least " << report.minimum_scaled_jacobian
-       << ", in the mean " << report.mean_scaled_jacobian;
+       << " irregular interior edges, scaled Jacobian at least " << report.minimum_scaled_jacobian << ", in the mean "
+       << report.mean_scaled_jacobian;
   what_holds = text.str();
   return report.status;
 }
 
 // Whether the mesh, at least, could be used.
-bool verify_product(const Result_folder& folder, const char* solid, const char* order, Mesh& mesh,
-                    Verdicts& verdict) {
+bool verify_product(const Result_folder& folder, const char* solid, const char* order, Mesh& mesh, Verdicts& verdict) {
   std::string what_holds;
   const Status status = verify_solid(folder, solid, mesh, what_holds);
   if (!verdict(solid, status, what_holds)) return false;
-  verdict(order, verify_order(folder, order, mesh),
-          "a product certificate: the solid is its floor times an interval");
+  verdict(order, verify_order(folder, order, mesh), "a product certificate: the solid is its floor times an interval");
   return true;
 }
 
@@ -100,8 +96,7 @@ int verify(const std::string& path, bool quiet) {
   const Result_folder folder(path);
   Verdicts verdict(quiet);
   Mesh mesh, domain;
-  if (!verify_product(folder, Result_folder::object, Result_folder::order, mesh, verdict))
-    return verdict.exit_code();
+  if (!verify_product(folder, Result_folder::object, Result_folder::order, mesh, verdict)) return verdict.exit_code();
   if (folder.has(Result_folder::domain))
     verify_product(folder, Result_folder::domain, Result_folder::domain_order, domain, verdict);
   if (folder.has(Result_folder::parameter))

@@ -45,8 +45,8 @@ public:
   /*!
   computes the map.
 
-  The boundary is mapped as given; where it may slide, vertices inside of the walls and of the ceiling move in their planes
-  later. The interior starts from the better of two maps, the harmonic one and that along curves, and is untangled cluster by
+  The boundary is mapped as given; if it may slide, vertices inside of the walls and of the ceiling move in their planes where
+  tetrahedra resist. The interior starts from the better of two maps, the harmonic one and that along curves, and is untangled cluster by
   cluster with the energy of V. Garanzha et al., *Foldover-free maps in 50 lines of code*, 2021. Edges of
   tetrahedra that resist are bisected. Then what is badly distorted is relaxed.
 

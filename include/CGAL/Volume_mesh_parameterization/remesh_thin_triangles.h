@@ -54,8 +54,8 @@ double share_of_thin_triangles(const Triangle_soup_3<Point>& surface) {
 
 gives a surface of thin triangles, as CAD systems write them, well-shaped ones: tetrahedra on thin triangles are thin, and
 leave a map no room. The shape stays, up to rounding: triangles are cut; those that share edges, lie in a plane and have the
-same label are cut anew together. The points that it had come first. A surface with less than 10 % of thin triangles by area
-stays as it is.
+same label are cut anew together. The points that it had come first, then those added, a few of which are inside of the solid
+and in no triangle. A surface with less than 10 % of thin triangles by area stays as it is.
 
 Needs TetGen 1.5 as `tetrahedralize()` does.
 

@@ -15,6 +15,7 @@
 #include <CGAL/Volume_mesh_parameterization/internal/check_coordinates.h>
 
 #include <CGAL/Bbox_3.h>
+#include <CGAL/assertions.h>
 
 #include <algorithm>
 #include <cmath>
@@ -32,24 +33,17 @@ namespace internal {
 template <typename Point>
 class Flat_parts {
 public:
+  // surface: one that check_surface() accepted
   explicit Flat_parts(const Triangle_soup_3<Point>& surface)
-      : m_surface(surface), m_adjacency(surface.triangles), m_parts(surface.triangles.size(), none) {
+      : m_surface(surface),
+        m_adjacency(surface.triangles),
+        m_parts(surface.triangles.size(), none),
+        m_tolerance(relative_tolerance * diagonal()) {
     const Status status = m_adjacency.assign_neighbors();
     CGAL_precondition(status.ok());
     static_cast<void>(status);
-    Bbox_3 box;
-    for (const Point& p : surface.points) box += approximate(p).bbox();
-    m_tolerance =
-        relative_tolerance *
-        std::sqrt(CGAL::squared_distance(Double_kernel::Point_3(box.xmin(), box.ymin(), box.zmin()),
-                                         Double_kernel::Point_3(box.xmax(), box.ymax(), box.zmax())));
-    std::vector<double> areas;
-    for (std::size_t t = 0; t < m_parts.size(); ++t) areas.push_back(normal(t).squared_length());
-    std::vector<std::uint32_t> seeds(m_parts.size());
-    std::iota(seeds.begin(), seeds.end(), 0);
-    std::stable_sort(seeds.begin(), seeds.end(), [&](auto t, auto u) { return areas[t] > areas[u]; });
     int number = 0;
-    for (std::uint32_t seed : seeds)
+    for (std::uint32_t seed : greatest_first())
       if (m_parts[seed] == none) grow(seed, number++);
   }
 
@@ -68,6 +62,22 @@ private:
 
   Vector normal(std::size_t t) const {
     return CGAL::cross_product(corner(t, 1) - corner(t, 0), corner(t, 2) - corner(t, 0));
+  }
+
+  double diagonal() const {
+    Bbox_3 box;
+    for (const Point& p : m_surface.points) box += approximate(p).bbox();
+    return std::hypot(box.xmax() - box.xmin(), box.ymax() - box.ymin(), box.zmax() - box.zmin());
+  }
+
+  std::vector<std::uint32_t> greatest_first() const {
+    std::vector<double> squared_areas;
+    for (std::size_t t = 0; t < m_parts.size(); ++t) squared_areas.push_back(normal(t).squared_length());
+    std::vector<std::uint32_t> triangles(m_parts.size());
+    std::iota(triangles.begin(), triangles.end(), 0);
+    std::stable_sort(triangles.begin(), triangles.end(),
+                     [&](auto t, auto u) { return squared_areas[t] > squared_areas[u]; });
+    return triangles;
   }
 
   bool is_in_plane(std::size_t t, const Double_kernel::Point_3& point, const Vector& unit_normal) const {
@@ -94,7 +104,7 @@ private:
   const Triangle_soup_3<Point>& m_surface;
   Triangle_adjacency m_adjacency;
   std::vector<int> m_parts;
-  double m_tolerance = 0;
+  double m_tolerance; // distance from a plane
 };
 
 } // namespace internal

@@ -60,7 +60,7 @@ public:
   }
 
 private:
-  // The projection along the mean normal, if next to nothing of the floor is seen from behind, and no rim loops the loop.
+  // The projection along the mean normal, if next to nothing of the floor is seen from behind, and no rim crosses itself.
   bool project(std::vector<Point_2>& positions) const {
     Vector_3 normal(0, 0, 0);
     for (const auto& t : m_surface.triangles()) normal = normal + area_vector(t);
