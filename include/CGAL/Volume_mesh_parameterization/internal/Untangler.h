@@ -38,36 +38,20 @@ public:
   Untangler(Mapper& mapper, Visitor& visitor, Untangling_report& report)
       : m_mapper(mapper), m_visitor(visitor), m_report(report) {}
 
-  // Ends when nothing is flipped, or when some rounds in a row have not lessened the number of flips, or when the mesh has
-  // grown too much, or when the work is too much.
+  // Ends when nothing is flipped, or when all kinds of refinement have not lessened the number of flips, or when the mesh has grown
+  // too much, or when the work is too much.
   Status run() {
-    constexpr std::size_t most_idle_rounds = 4;
-    constexpr double most_growth = 1.2, most_added_anyway = 10000; // cells
-    const double cells = double(m_mapper.mesh().number_of_cells());
-    const double most_cells = (std::max)(most_growth * cells, cells + most_added_anyway);
-    const double most_work =
-        (std::min)(most_steps_per_cell * cells, (std::max)(enough, enough_per_cell * cells));
+    const std::size_t cells = m_mapper.mesh().number_of_cells(), vertices = m_mapper.images().size();
+    set_bounds(double(cells));
     Cells flipped = m_mapper.find_flipped();
-    m_report.flipped_at_start = m_report.flipped_at_end = flipped.size();
-    for (std::size_t idle = 0; !flipped.empty() && idle < most_idle_rounds;) {
-      const std::size_t before = m_report.flipped_at_end;
-      ++m_report.rounds;
-      for (int rings : {2, 4}) {
-        const Status status = untangle_clusters(flipped, rings, most_work);
-        if (!status.ok()) return status;
-        flipped = m_mapper.find_flipped();
-      }
-      m_report.flipped_at_end = (std::min)(before, flipped.size());
-      idle = flipped.size() < before ? 0 : idle + 1;
-      if (flipped.empty() || double(m_mapper.mesh().number_of_cells()) > most_cells ||
-          m_mapper.work() > most_work)
-        break;
-      refine(flipped);
-      flipped = m_mapper.find_flipped();
-    }
+    m_report.flipped_at_start = flipped.size();
+    m_report.rounds = 1;
+    Status status = untangle(flipped);
+    if (status.ok()) status = refine_and_untangle(flipped);
     m_report.flipped_at_end = flipped.size();
-    m_report.work = m_mapper.work() / cells;
-    if (flipped.empty()) return {};
+    m_report.bisected_edges = m_mapper.images().size() - vertices;
+    m_report.work = work() / double(cells);
+    if (!status.ok() || flipped.empty()) return status;
     return {ERROR_MAP_NOT_BIJECTIVE,
             std::to_string(flipped.size()) + " tetrahedra resist, among them " + std::to_string(flipped[0])};
   }
@@ -81,8 +65,61 @@ public:
   }
 
 private:
+  // Which edges of flipped cells are bisected: that of each that is longest, all, or those of the cells around as well.
+  enum Refinement { LONGEST, ALL, AROUND };
+
   // Bounds on the number of Newton steps of cells: for each cell of a small mesh, for one of some size, for each cell of a big one.
-  static constexpr double most_steps_per_cell = 5000, enough = 4e7, enough_per_cell = 100;
+  static constexpr double most_steps_per_cell = 20000, enough = 2e8, enough_per_cell = 100;
+
+  void set_bounds(double cells) {
+    constexpr double most_growth = 1.5, most_added_anyway = 20000; // cells
+    m_most_cells = (std::max)(most_growth * cells, cells + most_added_anyway);
+    m_most_work = (std::min)(most_steps_per_cell * cells, (std::max)(enough, enough_per_cell * cells));
+  }
+
+  double work() const { return m_work_undone + m_mapper.work(); }
+  bool is_too_much() const {
+    return double(m_mapper.mesh().number_of_cells()) > m_most_cells || work() > m_most_work;
+  }
+
+  Status untangle(Cells& flipped) {
+    Status status;
+    for (int rings : {2, 4}) {
+      if (status.ok()) status = untangle_clusters(flipped, rings);
+      flipped = m_mapper.find_flipped();
+    }
+    return status;
+  }
+
+  // The number of flips often grows before it falls: after a few rounds without gain only, another refinement is tried, from the
+  // state with the fewest.
+  Status refine_and_untangle(Cells& flipped) {
+    constexpr int most_idle_rounds = 4;
+    Status status;
+    Mapper best = m_mapper;
+    Cells fewest = flipped;
+    for (Refinement refinement : {LONGEST, ALL, AROUND}) {
+      for (int idle = 0; idle < most_idle_rounds; ++idle) {
+        if (!status.ok() || fewest.empty() || is_too_much()) break;
+        ++m_report.rounds;
+        refine(flipped, idle == 0 ? refinement : LONGEST);
+        flipped = m_mapper.find_flipped();
+        status = untangle(flipped);
+        if (flipped.size() >= fewest.size()) continue;
+        fewest = flipped;
+        best = m_mapper;
+        idle = -1; // what has helped is tried again
+      }
+      set_back(best);
+      flipped = fewest;
+    }
+    return status;
+  }
+
+  void set_back(const Mapper& state) {
+    m_work_undone += m_mapper.work() - state.work();
+    m_mapper = state;
+  }
 
   Cells worst_cells() const {
     constexpr double bad = 20; // energy of a cell; 3.2 without distortion
@@ -104,9 +141,9 @@ private:
     return {};
   }
 
-  Status untangle_clusters(const Cells& flipped, int rings, double most) {
+  Status untangle_clusters(const Cells& flipped, int rings) {
     const std::vector<Cells> parts = clusters(flipped);
-    for (std::size_t k = 0; k < parts.size() && m_mapper.work() <= most; ++k) {
+    for (std::size_t k = 0; k < parts.size() && work() <= m_most_work; ++k) {
       if (!m_visitor.advance(k, parts.size())) return {ERROR_CANCELLED, "untangling"};
       if (m_mapper.count_flipped(parts[k]) == 0) continue; // with a neighbour
       untangle(m_mapper.neighborhood(parts[k], rings));
@@ -114,12 +151,14 @@ private:
     return {};
   }
 
-  // The boundary slides if need be only, as that may squeeze it.
+  // The boundary slides if need be only, as that may squeeze it, and in parts where that converges.
   void untangle(const Cells& cells) {
+    constexpr std::size_t most_sliding = 8000;
     using Part = typename Mapper::Part;
     if (m_mapper.untangle(cells, Mapper::AS_IT_IS, Part::HELD) == 0) return;
     if (m_mapper.untangle(cells, Mapper::SMOOTHED, Part::HELD) == 0) return;
-    if (m_mapper.may_slide()) m_mapper.untangle(cells, Mapper::AS_IT_IS, Part::SLIDING);
+    if (m_mapper.may_slide() && cells.size() <= most_sliding)
+      m_mapper.untangle(cells, Mapper::AS_IT_IS, Part::SLIDING);
   }
 
   // Cells that share vertices are in one cluster.
@@ -143,9 +182,9 @@ private:
     return result;
   }
 
-  // Bisects edges inside that join boundary vertices around the flipped cells, or if there are none, all edges inside of the
-  // flipped ones: those are what leaves no room.
-  void refine(const Cells& flipped) {
+  // Bisects edges inside that join boundary vertices around the flipped cells, which leave no room; if there are none, edges of
+  // the flipped cells.
+  void refine(const Cells& flipped, Refinement refinement) {
     constexpr int rings = 2;
     const auto is_inside = [this](Vertex_index a, Vertex_index b) {
       return !m_mapper.is_boundary_edge(a, b);
@@ -153,16 +192,29 @@ private:
     const auto is_chord = [&](Vertex_index a, Vertex_index b) {
       return !m_mapper.is_inside(a) && !m_mapper.is_inside(b) && is_inside(a, b);
     };
-    if (bisect(edges_of(m_mapper.neighborhood(flipped, rings), is_chord)) == 0)
-      bisect(edges_of(flipped, is_inside));
+    if (bisect(edges_of(m_mapper.neighborhood(flipped, rings), is_chord))) return;
+    const Cells cells = refinement == AROUND ? m_mapper.neighborhood(flipped, 1) : flipped;
+    bisect(refinement == LONGEST ? longest_edges_of(cells, is_inside) : edges_of(cells, is_inside));
   }
 
-  // Returns how many could be bisected.
-  std::size_t bisect(const std::vector<Edge>& edges) {
-    std::size_t bisected = 0;
-    for (const auto& [a, b] : edges) bisected += m_mapper.bisect(a, b).ok();
-    m_report.bisected_edges += bisected;
-    return bisected;
+  // Returns whether any could be bisected.
+  bool bisect(const std::vector<Edge>& edges) {
+    bool has_bisected = false;
+    for (const auto& [a, b] : edges) has_bisected |= m_mapper.bisect(a, b).ok();
+    return has_bisected;
+  }
+
+  // One of each cell at most.
+  template <typename Predicate>
+  std::vector<Edge> longest_edges_of(const Cells& cells, const Predicate& is_wanted) const {
+    std::vector<Edge> longest;
+    for (Cell_index c : cells) {
+      const std::vector<Edge> edges = edges_of(Cells(1, c), is_wanted);
+      if (!edges.empty()) longest.push_back(edges[0]);
+    }
+    std::sort(longest.begin(), longest.end());
+    longest.erase(std::unique(longest.begin(), longest.end()), longest.end());
+    return longest;
   }
 
   // The longest first.
@@ -184,6 +236,7 @@ private:
   Mapper& m_mapper;
   Visitor& m_visitor;
   Untangling_report& m_report;
+  double m_most_cells = 0, m_most_work = 0, m_work_undone = 0;
 };
 
 } // namespace internal
