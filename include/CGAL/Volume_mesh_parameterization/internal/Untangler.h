@@ -146,13 +146,13 @@ private:
     for (std::size_t k = 0; k < parts.size() && work() <= m_most_work; ++k) {
       if (!m_visitor.advance(k, parts.size())) return {ERROR_CANCELLED, "untangling"};
       if (m_mapper.count_flipped(parts[k]) == 0) continue; // with a neighbour
-      untangle(m_mapper.neighborhood(parts[k], rings));
+      untangle_part(m_mapper.neighborhood(parts[k], rings));
     }
     return {};
   }
 
   // The boundary slides if need be only, as that may squeeze it, and in parts where that converges.
-  void untangle(const Cells& cells) {
+  void untangle_part(const Cells& cells) {
     constexpr std::size_t most_sliding = 8000;
     using Part = typename Mapper::Part;
     if (m_mapper.untangle(cells, Mapper::AS_IT_IS, Part::HELD) == 0) return;
