@@ -10,6 +10,7 @@
 
 namespace VMP = CGAL::Volume_mesh_parameterization;
 using Energy = VMP::internal::Foldover_free_energy;
+using VMP::internal::Model_shape;
 using Position = Eigen::Vector3d;
 
 // A grid of n^3 cubes, each cut into six tetrahedra.
@@ -64,9 +65,46 @@ struct Grid {
 void test_rest() {
   const Grid grid(2);
   std::vector<Position> positions = grid.points;
-  Energy energy(grid.cells, {}, grid.points, grid.freedoms, positions);
+  Energy energy(grid.cells, {}, grid.points, grid.freedoms, positions, Model_shape::AT_REST);
   energy.polish(0);
   for (std::size_t c = 0; c < grid.cells.size(); ++c) assert(std::abs(energy.value(c) - 3.2) < 1e-12);
+}
+
+// Sheared by a lot, a grid is as good as at rest if the models are deformed as it is around them, even with a vertex inside far off.
+void test_models_as_around() {
+  const Grid grid(4);
+  std::vector<Position> sheared = grid.points;
+  for (Position& p : sheared) p[0] += .6 * p[2];
+  std::vector<Position> positions = sheared;
+  positions[grid.number({2, 2, 2})] = Position(-1, -1, 9);
+  assert(grid.count_flipped(positions) > 0);
+  Energy energy(grid.cells, {}, grid.points, grid.freedoms, positions, Model_shape::AS_AROUND);
+  assert(energy.untangle(.3, 40));
+  energy.polish(100);
+  double most = 0, most_at_rest = 0;
+  for (std::size_t v = 0; v < positions.size(); ++v) assert((positions[v] - sheared[v]).norm() < .1);
+  Energy rigid(grid.cells, {}, grid.points, grid.freedoms, sheared, Model_shape::AT_REST);
+  rigid.polish(0);
+  for (std::size_t c = 0; c < grid.cells.size(); ++c) {
+    most = (std::max)(most, energy.value(c));
+    most_at_rest = (std::max)(most_at_rest, rigid.value(c));
+  }
+  std::cout << "most energy " << most << ", with models at rest " << most_at_rest << std::endl;
+  assert(most < 3.3 && most_at_rest > 3.5);
+}
+
+// All vertices at one point: no deformation to go by, and no number that is not finite.
+void test_collapsed() {
+  const Grid grid(3);
+  std::vector<Position> positions(grid.points.size(), Position(1, 1, 1));
+  for (std::size_t v = 0; v < positions.size(); ++v)
+    if (grid.freedoms[v] == Energy::fixed) positions[v][2] = grid.points[v][2];
+  for (bool is_point : {false, true}) {
+    if (is_point) std::fill(positions.begin(), positions.end(), Position(1, 1, 1));
+    Energy energy(grid.cells, {}, grid.points, grid.freedoms, positions, Model_shape::AS_AROUND);
+    assert(!energy.untangle(.3, 20));
+    for (const Position& p : positions) assert(p.allFinite());
+  }
 }
 
 // Vertices anywhere inside: the convex boundary has a map without flips, and it is found.
@@ -80,7 +118,7 @@ void test_untangle() {
         for (int k = 0; k < 3; ++k) positions[v][k] = 5. * random() / random.max();
     const std::vector<Position> start = positions;
     assert(grid.count_flipped(positions) > 50);
-    Energy energy(grid.cells, {}, grid.points, grid.freedoms, positions);
+    Energy energy(grid.cells, {}, grid.points, grid.freedoms, positions, Model_shape::AT_REST);
     assert(energy.untangle(.3, 60));
     assert(grid.count_flipped(positions) == 0);
     for (std::size_t v = 0; v < positions.size(); ++v)
@@ -96,7 +134,7 @@ void test_hopeless() {
   const Grid grid(3);
   std::vector<Position> positions = grid.points;
   for (Position& p : positions) p[0] = -p[0];
-  Energy energy(grid.cells, {}, grid.points, grid.freedoms, positions);
+  Energy energy(grid.cells, {}, grid.points, grid.freedoms, positions, Model_shape::AT_REST);
   assert(!energy.untangle(.3, 20));
   assert(energy.number_of_steps() <= 100);
 }
@@ -107,7 +145,7 @@ void test_partly_hopeless() {
   std::vector<Position> positions = grid.points;
   std::swap(positions[grid.number({0, 1, 2})], positions[grid.number({5, 3, 3})]);
   const std::size_t before = grid.count_flipped(positions);
-  Energy energy(grid.cells, {}, grid.points, grid.freedoms, positions);
+  Energy energy(grid.cells, {}, grid.points, grid.freedoms, positions, Model_shape::AT_REST);
   assert(!energy.untangle(.3, 60));
   std::cout << before << " flips, then " << grid.count_flipped(positions) << std::endl;
   assert(grid.count_flipped(positions) <= before);
@@ -124,7 +162,8 @@ void test_guard() {
     positions[3] = rest[4];
     std::vector<Energy::Cell> guards;
     if (is_guarded) guards.push_back(guard);
-    const bool is_untangled = Energy({cell}, guards, rest, freedoms, positions).untangle(.3, 40);
+    const bool is_untangled =
+        Energy({cell}, guards, rest, freedoms, positions, Model_shape::AT_REST).untangle(.3, 40);
     std::cout << "apex at height " << positions[3][2] << std::endl;
     assert(is_untangled != is_guarded && (positions[3][2] > 0) == is_guarded);
   }
@@ -132,6 +171,8 @@ void test_guard() {
 
 int main() {
   test_rest();
+  test_models_as_around();
+  test_collapsed();
   test_untangle();
   test_hopeless();
   test_partly_hopeless();

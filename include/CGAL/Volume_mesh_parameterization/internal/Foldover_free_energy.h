@@ -10,6 +10,8 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
+#include <CGAL/Volume_mesh_parameterization/internal/model_tetrahedra.h>
+
 #include <Eigen/Dense>
 #include <Eigen/IterativeLinearSolvers>
 #include <Eigen/Sparse>
@@ -36,7 +38,7 @@ some, the guards, positive ones stay positive.
 */
 class Foldover_free_energy {
 public:
-  using Cell = std::array<std::uint32_t, 4>;
+  using Cell = Vertex_quadruple;
   static constexpr double infinity = std::numeric_limits<double>::infinity();
 
   // Bit k is set if coordinate k of a vertex may change.
@@ -46,7 +48,7 @@ public:
   // guards: positive; positions: of all vertices; they change
   Foldover_free_energy(std::vector<Cell> cells, const std::vector<Cell>& guards,
                        const std::vector<Eigen::Vector3d>& rest, const std::vector<Freedom>& freedoms,
-                       std::vector<Eigen::Vector3d>& positions)
+                       std::vector<Eigen::Vector3d>& positions, Model_shape shape)
       : m_cells(std::move(cells)),
         m_first_guard(m_cells.size()),
         m_positions(positions),
@@ -55,8 +57,8 @@ public:
     for (std::size_t v = 0; v < positions.size(); ++v)
       for (int k = 0; k < 3; ++k)
         m_unknowns[v][k] = (freedoms[v] >> k & 1) != 0 ? m_number_of_unknowns++ : no_unknown;
-    const double scale = scale_of(rest);
-    for (const Cell& c : m_cells) m_inverse_rests.push_back((scale * rest_edges(c, rest)).inverse());
+    for (const Eigen::Matrix3d& edges : model_tetrahedra(m_cells, rest, m_positions, shape))
+      m_inverse_models.push_back(edges.inverse());
   }
 
   std::size_t number_of_unknowns() const { return m_number_of_unknowns; }
@@ -111,37 +113,10 @@ private:
   static constexpr std::size_t most_direct = 10000; // unknowns for a direct solver
   static constexpr double lambda = 0.1;             // weight of volumes against angles
 
-  static Eigen::Matrix3d edges(const Cell& c, const std::vector<Eigen::Vector3d>& p) {
-    Eigen::Matrix3d e;
-    for (int k = 0; k < 3; ++k) e.col(k) = p[c[k + 1]] - p[c[0]];
-    return e;
-  }
-
-  // A sliver would weigh more than all others together: a regular tetrahedron of the same size is its model.
-  static Eigen::Matrix3d rest_edges(const Cell& c, const std::vector<Eigen::Vector3d>& rest) {
-    constexpr double least_volume = 1e-6; // of the cube of the longest edge; 0.71 for a regular one
-    const Eigen::Matrix3d e = edges(c, rest);
-    const double longest = std::sqrt(e.colwise().squaredNorm().maxCoeff());
-    if (e.determinant() > least_volume * longest * longest * longest) return e;
-    Eigen::Matrix3d regular;
-    regular << 1, .5, .5, 0, std::sqrt(.75), std::sqrt(1. / 12), 0, 0, std::sqrt(2. / 3);
-    return longest * regular;
-  }
-
-  // Makes the volume at rest that of the image.
-  double scale_of(const std::vector<Eigen::Vector3d>& rest) const {
-    double image_volume = 0, rest_volume = 0;
-    for (const Cell& c : m_cells) {
-      image_volume += edges(c, m_positions).determinant();
-      rest_volume += edges(c, rest).determinant();
-    }
-    return image_volume > 0 ? std::cbrt(image_volume / rest_volume) : 1;
-  }
-
   // The Jacobian of a cell and what the energy is made of.
   struct State {
     State(const Foldover_free_energy& energy, std::size_t c)
-        : jacobian(edges(energy.m_cells[c], energy.m_positions) * energy.m_inverse_rests[c]) {
+        : jacobian(edges_from_first(energy.m_cells[c], energy.m_positions) * energy.m_inverse_models[c]) {
       const Eigen::Matrix3d& j = jacobian;
       cofactors << j.col(1).cross(j.col(2)), j.col(2).cross(j.col(0)), j.col(0).cross(j.col(1));
       determinant = j.col(0).dot(cofactors.col(0));
@@ -229,7 +204,7 @@ private:
   }
 
   double determinant(std::size_t c) const {
-    return (edges(m_cells[c], m_positions) * m_inverse_rests[c]).determinant();
+    return (edges_from_first(m_cells[c], m_positions) * m_inverse_models[c]).determinant();
   }
 
   std::size_t count_negative() const {
@@ -249,7 +224,7 @@ private:
                           lambda * (2 * chi - 4 * d * slope + 2 * volumes * slope * slope)) /
                          (chi * chi);
     Eigen::Matrix<double, 3, 4> gradients; // of the barycentric coordinates
-    gradients.rightCols<3>() = m_inverse_rests[c].transpose();
+    gradients.rightCols<3>() = m_inverse_models[c].transpose();
     gradients.col(0) = -gradients.rightCols<3>().rowwise().sum();
     const Eigen::Matrix<double, 3, 4> jg = state.jacobian * gradients, cg = state.cofactors * gradients;
     for (int k = 0; k < 4; ++k) {
@@ -281,7 +256,7 @@ private:
   std::vector<Eigen::Vector3d>& m_positions;
   std::vector<Unknowns> m_unknowns; // of the vertices
   std::uint32_t m_number_of_unknowns = 0;
-  std::vector<Eigen::Matrix3d> m_inverse_rests;
+  std::vector<Eigen::Matrix3d> m_inverse_models;
   Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> m_solver;
   bool m_is_analyzed = false;
   double m_epsilon = 1;

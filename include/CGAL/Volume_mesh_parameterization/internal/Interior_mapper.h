@@ -181,7 +181,7 @@ public:
   // Less distortion of some cells, all positive, which they stay.
   void polish(const std::vector<Cell_index>& cells, int most_steps) {
     Part distorted = part(cells, Part::SLIDING);
-    distorted.energy().polish(most_steps);
+    distorted.energy(Model_shape::AT_REST).polish(most_steps);
     distorted.swap(m_images);
     if (count_flipped(cells) > 0) distorted.swap(m_images);
   }
@@ -191,7 +191,7 @@ public:
     std::vector<Cell_index> cells;
     for (std::size_t c = 0; c < mesh().number_of_cells(); ++c) cells.emplace_back(c);
     Part whole = part(cells, Part::SLIDING);
-    Foldover_free_energy energy = whole.energy();
+    Foldover_free_energy energy = whole.energy(Model_shape::AT_REST);
     energy.polish(0);
     std::vector<double> result;
     for (Cell_index c : cells) result.push_back(energy.value(c));
@@ -221,7 +221,7 @@ private:
   void untangle(Part& part) {
     constexpr double epsilon = 0.3; // at first
     constexpr int most_rounds = 40;
-    Foldover_free_energy energy = part.energy();
+    Foldover_free_energy energy = part.energy(Model_shape::AS_AROUND);
     energy.untangle(epsilon, most_rounds);
     m_work += double(energy.number_of_steps()) * double(part.cells().size());
   }

@@ -68,7 +68,9 @@ public:
   }
 
   const std::vector<Cell>& cells() const { return m_cells; }
-  Foldover_free_energy energy() { return {m_cells, m_guards, m_rest, m_freedoms, m_positions}; }
+  Foldover_free_energy energy(Model_shape shape) {
+    return {m_cells, m_guards, m_rest, m_freedoms, m_positions, shape};
+  }
 
   // Moves each vertex inside to the mean of its neighbors, again and again: far from where it was tangled.
   void smooth() {
