@@ -91,9 +91,12 @@ public:
   }
 
   // Lessens the energy of positive tetrahedra, which stay positive.
-  void polish(int most_steps) {
+  void polish(int most_steps) { relax(0, most_steps); }
+
+  // Lessens the energy with the same epsilon: the bigger it is, the more tetrahedra may turn over where that relieves others.
+  void relax(double epsilon, int most_steps) {
     constexpr double least_gain = 1e-3;
-    m_epsilon = 0;
+    m_epsilon = epsilon;
     minimize(most_steps, least_gain);
   }
 

@@ -174,6 +174,17 @@ public:
     return before;
   }
 
+  // Moves the vertices of some cells, also on the boundary if that may slide, to where they are less squeezed. More cells may be
+  // flipped then.
+  void relax(const std::vector<Cell_index>& cells) {
+    constexpr int most_steps = 20;
+    Part squeezed = part(cells, Part::SLIDING);
+    Foldover_free_energy energy = squeezed.energy(Model_shape::AS_AROUND);
+    energy.relax(first_epsilon, most_steps);
+    add_work(energy, squeezed);
+    squeezed.swap(m_images);
+  }
+
   std::size_t count_flipped(const std::vector<Cell_index>& cells) const {
     return std::count_if(cells.begin(), cells.end(), [this](Cell_index c) { return !is_positive(c); });
   }
@@ -203,6 +214,8 @@ public:
   }
 
 private:
+  static constexpr double first_epsilon = 0.3; // of the foldover-free energy
+
   void hold_facet(Cell_index c, int i) {
     const int label = mesh().labels(c)[i];
     if (label == INTERIOR) return;
@@ -219,10 +232,13 @@ private:
   }
 
   void untangle(Part& part) {
-    constexpr double epsilon = 0.3; // at first
     constexpr int most_rounds = 40;
     Foldover_free_energy energy = part.energy(Model_shape::AS_AROUND);
-    energy.untangle(epsilon, most_rounds);
+    energy.untangle(first_epsilon, most_rounds);
+    add_work(energy, part);
+  }
+
+  void add_work(const Foldover_free_energy& energy, const Part& part) {
     m_work += double(energy.number_of_steps()) * double(part.cells().size());
   }
 

@@ -65,8 +65,11 @@ public:
   }
 
 private:
-  // Which edges of flipped cells are bisected: that of each that is longest, all, or those of the cells around as well.
-  enum Refinement { LONGEST, ALL, AROUND };
+  // Which edges of flipped cells are bisected: that of each that is longest, all, or those of the cells around as well; or
+  // the longest, and what is around is relaxed, as the boundary may have been squeezed when it slid.
+  enum Refinement { LONGEST, ALL, AROUND, LONGEST_RELAXED };
+
+  static constexpr std::size_t most_sliding = 8000; // cells of a part where sliding converges
 
   // Bounds on the number of Newton steps of cells: for each cell of a small mesh, for one of some size, for each cell of a big one.
   static constexpr double most_steps_per_cell = 20000, enough = 2e8, enough_per_cell = 100;
@@ -98,11 +101,13 @@ private:
     Status status;
     Mapper best = m_mapper;
     Cells fewest = flipped;
-    for (Refinement refinement : {LONGEST, ALL, AROUND}) {
+    for (Refinement refinement : {LONGEST, ALL, AROUND, LONGEST_RELAXED}) {
       for (int idle = 0; idle < most_idle_rounds; ++idle) {
         if (!status.ok() || fewest.empty() || is_too_much()) break;
         ++m_report.rounds;
+        const std::vector<Cells> stuck = clusters(flipped);
         refine(flipped, idle == 0 ? refinement : LONGEST);
+        if (refinement == LONGEST_RELAXED) relax(stuck);
         flipped = m_mapper.find_flipped();
         status = untangle(flipped);
         if (flipped.size() >= fewest.size()) continue;
@@ -114,6 +119,14 @@ private:
       flipped = fewest;
     }
     return status;
+  }
+
+  void relax(const std::vector<Cells>& parts) {
+    constexpr int rings = 4;
+    for (const Cells& part : parts) {
+      const Cells cells = m_mapper.neighborhood(part, rings);
+      if (cells.size() <= most_sliding) m_mapper.relax(cells);
+    }
   }
 
   void set_back(const Mapper& state) {
@@ -153,7 +166,6 @@ private:
 
   // The boundary slides if need be only, as that may squeeze it, and in parts where that converges.
   void untangle_part(const Cells& cells) {
-    constexpr std::size_t most_sliding = 8000;
     using Part = typename Mapper::Part;
     if (m_mapper.untangle(cells, Mapper::AS_IT_IS, Part::HELD) == 0) return;
     if (m_mapper.untangle(cells, Mapper::SMOOTHED, Part::HELD) == 0) return;
@@ -194,7 +206,8 @@ private:
     };
     if (bisect(edges_of(m_mapper.neighborhood(flipped, rings), is_chord))) return;
     const Cells cells = refinement == AROUND ? m_mapper.neighborhood(flipped, 1) : flipped;
-    bisect(refinement == LONGEST ? longest_edges_of(cells, is_inside) : edges_of(cells, is_inside));
+    const bool takes_longest = refinement == LONGEST || refinement == LONGEST_RELAXED;
+    bisect(takes_longest ? longest_edges_of(cells, is_inside) : edges_of(cells, is_inside));
   }
 
   // Returns whether any could be bisected.
