@@ -65,9 +65,8 @@ public:
   }
 
 private:
-  // Which edges of flipped cells are bisected: that of each that is longest, all, or those of the cells around as well; or
-  // the longest, and what is around is relaxed, as the boundary may have been squeezed when it slid.
-  enum Refinement { LONGEST, ALL, AROUND, LONGEST_RELAXED };
+  // Which edges of flipped cells are bisected: that of each that is longest, all, or those of the cells around as well.
+  enum Refinement { LONGEST, ALL, AROUND };
 
   static constexpr std::size_t most_sliding = 8000; // cells of a part where sliding converges
 
@@ -101,13 +100,13 @@ private:
     Status status;
     Mapper best = m_mapper;
     Cells fewest = flipped;
-    for (Refinement refinement : {LONGEST, ALL, AROUND, LONGEST_RELAXED}) {
+    for (Refinement refinement : {LONGEST, ALL, AROUND}) {
       for (int idle = 0; idle < most_idle_rounds; ++idle) {
         if (!status.ok() || fewest.empty() || is_too_much()) break;
         ++m_report.rounds;
         const std::vector<Cells> stuck = clusters(flipped);
         refine(flipped, idle == 0 ? refinement : LONGEST);
-        if (refinement == LONGEST_RELAXED) relax(stuck);
+        if (idle > 0) relax(stuck);
         flipped = m_mapper.find_flipped();
         status = untangle(flipped);
         if (flipped.size() >= fewest.size()) continue;
@@ -121,6 +120,7 @@ private:
     return status;
   }
 
+  // Away from where it is stuck: the boundary may have been squeezed as it slid, or cells around the flipped ones.
   void relax(const std::vector<Cells>& parts) {
     constexpr int rings = 4;
     for (const Cells& part : parts) {
@@ -206,8 +206,7 @@ private:
     };
     if (bisect(edges_of(m_mapper.neighborhood(flipped, rings), is_chord))) return;
     const Cells cells = refinement == AROUND ? m_mapper.neighborhood(flipped, 1) : flipped;
-    const bool takes_longest = refinement == LONGEST || refinement == LONGEST_RELAXED;
-    bisect(takes_longest ? longest_edges_of(cells, is_inside) : edges_of(cells, is_inside));
+    bisect(refinement == LONGEST ? longest_edges_of(cells, is_inside) : edges_of(cells, is_inside));
   }
 
   // Returns whether any could be bisected.
