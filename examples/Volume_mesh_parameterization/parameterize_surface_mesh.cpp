@@ -58,8 +58,8 @@ int main(int argc, char* argv[]) {
 
   // 5. Make hexahedra, move their nodes, and write them if all are valid.
   const VMP::Prism_3<Kernel>& prism = result.floor_map()->domain();
-  const auto column = [&](const Point_2& uv, std::size_t layers, std::vector<Point_3>& points) {
-    return result.product_map()->column(uv, layers, points);
+  const auto column = [&](const Point_2& uv, const std::vector<double>& levels, std::vector<Point_3>& points) {
+    return result.product_map()->column(uv, levels, points);
   };
   VMP::Hexahedron_soup_3<Point_3> hexahedra;
   status = VMP::hexahedral_mesh(prism, VMP::prism_grid_of_size(prism, 1000), column, hexahedra);

@@ -3,6 +3,7 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
 #include <CGAL/Volume_mesh_parameterization/Direct_product_parameterizer_3.h>
+#include <CGAL/Volume_mesh_parameterization/Piecewise_linear_inverse_3.h>
 #include <CGAL/Volume_mesh_parameterization/Piecewise_linear_map_3.h>
 #include <CGAL/Volume_mesh_parameterization/verify_product.h>
 
@@ -44,6 +45,28 @@ public:
     require(VMP::verify_product(map.mesh(), map.order()));
     test_boundary();
     test_origins();
+    test_inverse();
+  }
+
+  // The middle of an image comes from the middle of its cell; columns stand on the floor and end at the ceiling.
+  void test_inverse() const {
+    VMP::Piecewise_linear_inverse_3<Kernel> inverse;
+    require(inverse.build(map));
+    for (VMP::Cell_index c : map.mesh().cells()) {
+      const auto& v = map.mesh().cell(c);
+      const auto at = [&](VMP::Vertex_index w) { return map.images()[w]; };
+      VMP::Location_3<Kernel> place;
+      require(inverse.preimage(CGAL::centroid(at(v[0]), at(v[1]), at(v[2]), at(v[3])), place));
+      assert(place.cell == c);
+      for (const auto& weight : place.barycentric) assert(std::abs(CGAL::to_double(weight) - 0.25) < 1e-6);
+    }
+    const auto& domain = parameterizer.floor_map()->domain();
+    const auto corner = domain.outer().corners()[0];
+    std::vector<Point_3> column;
+    require(inverse.column({corner[0], corner[1]}, domain.height(), {0, 0.5, 1}, column));
+    assert(column.size() == 3);
+    VMP::Location_3<Kernel> place;
+    assert(inverse.preimage(Point_3(0, 0, -1), place).code() == VMP::ERROR_OUTSIDE);
   }
 
   // Each facet lies in the plane of its label.

@@ -83,16 +83,18 @@ public:
       assert(map().preimage(q, location).code() == VMP::ERROR_OUTSIDE);
     }
     std::vector<Point_3> points;
-    assert(map().column({box.xmin - 1, y}, 3, points).code() == VMP::ERROR_OUTSIDE && points.empty());
+    assert(map().column({box.xmin - 1, y}, {0, 1}, points).code() == VMP::ERROR_OUTSIDE && points.empty());
   }
 
   // Boxes up to the floor map: columns are vertical, and layers are level and equally spaced.
   void test_hexahedra() const {
-    const auto column = [&](const Point_2& q, std::size_t layers, std::vector<Point_3>& points) {
-      const VMP::Status status = map().column(q, layers, points);
+    const auto column = [&](const Point_2& q, const std::vector<double>& levels,
+                            std::vector<Point_3>& points) {
+      const VMP::Status status = map().column(q, levels, points);
+      const std::size_t layers = levels.size() - 1;
       for (std::size_t k = 0; k <= layers; ++k) {
         const Point_3 &p = points[points.size() - 1 - k], &base = points[points.size() - 1 - layers];
-        assert(is_close(p, Point_3(base.x(), base.y(), height * double(layers - k) / double(layers))));
+        assert(is_close(p, Point_3(base.x(), base.y(), height * levels[layers - k])));
       }
       return status;
     };
@@ -122,7 +124,8 @@ public:
     std::vector<Point_3> points;
     assert(map.image(location, image).code() == VMP::ERROR_CURVE_LOST);
     assert(map.preimage({box.xmin, box.ymin, 0}, location).code() == VMP::ERROR_CURVE_LOST);
-    assert(map.column({box.xmin, box.ymin}, 2, points).code() == VMP::ERROR_CURVE_LOST && points.empty());
+    assert(map.column({box.xmin, box.ymin}, {0, 1}, points).code() == VMP::ERROR_CURVE_LOST &&
+           points.empty());
     assert(map.vertex_images(points).code() == VMP::ERROR_CURVE_LOST && points.empty());
   }
 

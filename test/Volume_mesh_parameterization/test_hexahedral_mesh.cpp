@@ -25,9 +25,9 @@ Prism block(int holes) {
 
 struct Identity {
   double height, factor; // a factor of -1 mirrors the block
-  VMP::Status operator()(const Point_2& p, std::size_t layers, std::vector<Point_3>& points) const {
-    for (std::size_t k = 0; k <= layers; ++k)
-      points.push_back(Point_3(p.x(), p.y(), factor * height * double(k) / double(layers)));
+  VMP::Status operator()(const Point_2& p, const std::vector<double>& levels,
+                         std::vector<Point_3>& points) const {
+    for (double level : levels) points.push_back(Point_3(p.x(), p.y(), factor * height * level));
     return {};
   }
 };
@@ -75,6 +75,24 @@ void test_target() {
   }
 }
 
+// Each layer is so many times as high as the one below.
+void test_grading() {
+  const Prism prism = block(1);
+  for (double ratio : {0.5, 1., 1.25}) {
+    VMP::Prism_grid grid = VMP::prism_grid(prism, {1., 0.5, 0.3});
+    assert(grid.x.size() == 4 && grid.y.size() == 7 && grid.layers() == 5);
+    grid.levels = VMP::graded_levels(grid.layers(), ratio);
+    Hexahedra mesh;
+    const VMP::Status status = VMP::hexahedral_mesh(prism, grid, Identity{1.5, 1}, mesh);
+    assert(status.ok() && VMP::verify_hexahedra(mesh).is_valid());
+    for (std::size_t k = 1; k < 5; ++k) {
+      const auto height = [&](std::size_t i) { return mesh.points[i + 1].z() - mesh.points[i].z(); };
+      assert(std::abs(height(k) - ratio * height(k - 1)) < 1e-12);
+    }
+    assert(mesh.points[0].z() == 0 && mesh.points[5].z() == 1.5);
+  }
+}
+
 void test_mirrored() {
   Hexahedra mesh;
   const Prism prism = block(1);
@@ -89,9 +107,14 @@ void test_refusals() {
   const Identity good{1, 1};
   assert(VMP::hexahedral_mesh(Prism(), grid, good, mesh).code() == VMP::ERROR_WRONG_PARAMETER);
   assert(VMP::hexahedral_mesh(prism, VMP::Prism_grid(), good, mesh).code() == VMP::ERROR_WRONG_PARAMETER);
-  const auto short_column = [](const Point_2&, std::size_t, std::vector<Point_3>&) { return VMP::Status(); };
+  VMP::Prism_grid falling = grid;
+  falling.levels = {0., 0.6, 0.4, 1.};
+  assert(VMP::hexahedral_mesh(prism, falling, good, mesh).code() == VMP::ERROR_WRONG_PARAMETER);
+  const auto short_column = [](const Point_2&, const std::vector<double>&, std::vector<Point_3>&) {
+    return VMP::Status();
+  };
   assert(VMP::hexahedral_mesh(prism, grid, short_column, mesh).code() == VMP::ERROR_WRONG_PARAMETER);
-  const auto lost = [](const Point_2&, std::size_t, std::vector<Point_3>&) {
+  const auto lost = [](const Point_2&, const std::vector<double>&, std::vector<Point_3>&) {
     return VMP::Status(VMP::ERROR_CURVE_LOST);
   };
   assert(VMP::hexahedral_mesh(prism, grid, lost, mesh).code() == VMP::ERROR_CURVE_LOST &&
@@ -104,6 +127,7 @@ int main() {
                    1.5)); // a pinwheel
   test_block(Prism({0, 0, 4, 3}, {{1, 1, 2, 1.5}, {0.5, 2, 2.5, 2.5}, {2.25, 0.25, 3.75, 1.75}}, 1.5));
   test_target();
+  test_grading();
   test_mirrored();
   test_refusals();
   std::cout << "done" << std::endl;

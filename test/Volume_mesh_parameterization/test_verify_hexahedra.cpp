@@ -50,7 +50,7 @@ void test_genus() {
   const auto hole = [](int x, int y, int) { return y != 1 || x % 2 == 0; };
   for (int genus = 1; genus < 4; ++genus) {
     const auto report = VMP::verify_hexahedra(make_grid(2 * genus + 1, 3, 2, hole));
-    assert(report.is_valid() && report.genus == genus);
+    assert(report.is_valid() && report.genus == genus && report.euler_characteristic == 1 - genus);
   }
 }
 

@@ -85,14 +85,15 @@ public:
     return status.ok() ? m_curves.trace_curve(floor, curve) : status;
   }
 
-  /// appends the preimages of the points over `foot` at the shares 0, 1 / `layers`, …, 1 of the way up.
-  Status column(const Floor_point& foot, std::size_t layers, std::vector<Point_3>& points) const {
+  /// appends the preimages of the points over `foot` at these shares of the way up, the first of which is 0 and the last 1.
+  Status column(const Floor_point& foot, const std::vector<double>& shares,
+                std::vector<Point_3>& points) const {
     Integral_curve_3<GeomTraits> curve;
     const Status status = curve_over(foot, curve);
     if (!status.ok()) return status;
     const FT total = curve.total_level();
-    for (std::size_t k = 0; k < layers; ++k)
-      points.push_back(curve.at(total * FT(int(k)) / FT(int(layers))).point(mesh()));
+    for (std::size_t k = 0; k + 1 < shares.size(); ++k)
+      points.push_back(curve.at(total * FT(shares[k])).point(mesh()));
     points.push_back(curve.segments().back().end.point(mesh()));
     return {};
   }

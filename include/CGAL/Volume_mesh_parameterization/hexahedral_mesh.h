@@ -20,6 +20,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <utility>
 #include <vector>
 
@@ -29,12 +30,30 @@ namespace Volume_mesh_parameterization {
 /*!
 \ingroup PkgVolumeMeshParameterizationHexahedra
 
-is a grid of a prism: lines at all its sides and between them, in equal steps, and layers of equal height.
+is a grid of a prism: lines at all its sides and between them, in equal steps, and levels.
 */
 struct Prism_grid {
   std::vector<double> x, y; ///< the lines, in increasing order
-  std::size_t layers = 1;   ///< number of hexahedra between floor and ceiling
+  std::vector<double> levels = {
+      0., 1.}; ///< shares of the way up where layers begin and end, increasing from 0 to 1
+
+  /// returns the number of hexahedra between floor and ceiling.
+  std::size_t layers() const { return levels.size() - 1; }
 };
+
+/*!
+\ingroup PkgVolumeMeshParameterizationHexahedra
+
+returns the levels of so many layers, each of which is `ratio` times as high as the one below it.
+
+\pre `layers` > 0, `ratio` > 0
+*/
+inline std::vector<double> graded_levels(std::size_t layers, double ratio = 1) {
+  std::vector<double> levels(1, 0.);
+  for (std::size_t k = 0; k < layers; ++k) levels.push_back(levels.back() + std::pow(ratio, double(k)));
+  for (double& level : levels) level /= levels.back();
+  return levels;
+}
 
 namespace internal {
 
@@ -98,17 +117,27 @@ private:
 /*!
 \ingroup PkgVolumeMeshParameterizationHexahedra
 
-returns the grid of about cubic cells of edge `edge`.
+returns the grid of cells whose edges along the three axes have about these lengths.
 */
 template <typename GeomTraits>
-Prism_grid prism_grid(const Prism_3<GeomTraits>& prism, double edge) {
+Prism_grid prism_grid(const Prism_3<GeomTraits>& prism, const std::array<double, 3>& edges) {
   std::vector<double> x, y;
   for (std::size_t r = 0; r < prism.number_of_rims(); ++r) {
     x.insert(x.end(), {prism.rim(r).xmin, prism.rim(r).xmax});
     y.insert(y.end(), {prism.rim(r).ymin, prism.rim(r).ymax});
   }
-  const std::size_t layers = (std::max)(1l, std::lround(prism.height() / edge));
-  return {internal::grid_lines(x, edge), internal::grid_lines(y, edge), layers};
+  const std::size_t layers = (std::max)(1l, std::lround(prism.height() / edges[2]));
+  return {internal::grid_lines(x, edges[0]), internal::grid_lines(y, edges[1]), graded_levels(layers)};
+}
+
+/*!
+\ingroup PkgVolumeMeshParameterizationHexahedra
+
+returns the grid of about cubic cells of edge `edge`.
+*/
+template <typename GeomTraits>
+Prism_grid prism_grid(const Prism_3<GeomTraits>& prism, double edge) {
+  return prism_grid(prism, std::array<double, 3>{edge, edge, edge});
 }
 
 /*!
@@ -118,7 +147,7 @@ returns how many hexahedra the grid has.
 */
 template <typename GeomTraits>
 std::size_t number_of_hexahedra(const Prism_3<GeomTraits>& prism, const Prism_grid& grid) {
-  return internal::Prism_columns<GeomTraits>(prism, grid).count() * grid.layers;
+  return internal::Prism_columns<GeomTraits>(prism, grid).count() * grid.layers();
 }
 
 /*!
@@ -129,7 +158,7 @@ returns how many quadrilaterals the boundary of the grid has: how many hexahedra
 template <typename GeomTraits>
 std::size_t number_of_boundary_quadrilaterals(const Prism_3<GeomTraits>& prism, const Prism_grid& grid) {
   const internal::Prism_columns<GeomTraits> columns(prism, grid);
-  return 2 * columns.count() + columns.count_sides() * grid.layers;
+  return 2 * columns.count() + columns.count_sides() * grid.layers();
 }
 
 namespace internal {
@@ -204,7 +233,7 @@ private:
       for (int i = 0; i < lines; ++i) {
         const bool is_used = m_columns.is_solid(i - 1, j - 1) || m_columns.is_solid(i, j - 1) ||
                              m_columns.is_solid(i - 1, j) || m_columns.is_solid(i, j);
-        m_first.push_back(is_used ? crossings.size() * (m_grid.layers + 1) : none);
+        m_first.push_back(is_used ? crossings.size() * (m_grid.layers() + 1) : none);
         if (is_used) crossings.emplace_back(m_grid.x[i], m_grid.y[j]);
       }
     return crossings;
@@ -213,15 +242,14 @@ private:
   template <typename ConcurrencyTag, typename Column>
   Status add_points(const Column& column) {
     const std::vector<Point_2> crossings = number_nodes();
-    const std::size_t size = m_grid.layers + 1;
+    const std::size_t size = m_grid.layers() + 1;
     m_mesh.points.resize(crossings.size() * size);
     using Tag = Concurrency_for<ConcurrencyTag, typename GeomTraits::FT>;
     const auto add_column = [&](std::size_t k) -> Status {
       std::vector<Point> points;
-      const Status status = column(crossings[k], m_grid.layers, points);
+      const Status status = column(crossings[k], m_grid.levels, points);
       if (!status.ok()) return status;
-      if (points.size() != size)
-        return {ERROR_WRONG_PARAMETER, "a column has not one point more than layers"};
+      if (points.size() != size) return {ERROR_WRONG_PARAMETER, "a column has not one point for each level"};
       std::move(points.begin(), points.end(), m_mesh.points.begin() + k * size);
       return {};
     };
@@ -233,7 +261,7 @@ private:
   }
 
   void add_column(int i, int j) {
-    for (std::size_t k = 0; k < m_grid.layers; ++k) {
+    for (std::size_t k = 0; k < m_grid.layers(); ++k) {
       std::array<std::size_t, 8> h;
       for (int top = 0; top < 2; ++top) {
         h[4 * top] = node(i, j, k + top);
@@ -243,7 +271,7 @@ private:
       }
       m_mesh.hexahedra.push_back(h);
       if (k == 0) m_mesh.facets.push_back({{h[0], h[3], h[2], h[1]}, FLOOR});
-      if (k + 1 == m_grid.layers) m_mesh.facets.push_back({{h[4], h[5], h[6], h[7]}, CEILING});
+      if (k + 1 == m_grid.layers()) m_mesh.facets.push_back({{h[4], h[5], h[6], h[7]}, CEILING});
       add_wall(m_columns.rim(i, j - 1), {h[0], h[1], h[5], h[4]});
       add_wall(m_columns.rim(i + 1, j), {h[1], h[2], h[6], h[5]});
       add_wall(m_columns.rim(i, j + 1), {h[2], h[3], h[7], h[6]});
@@ -272,8 +300,8 @@ like the sides of the prism. Linear in the number of hexahedra and of evaluation
 
 \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`: then `column` is called by several
   threads at a time. The result does not depend on it. If `FT` is no floating point type, one thread does all.
-\tparam Column a function object `Status column(const Point_2& p, std::size_t layers, std::vector<Point>& points)` that
-  appends `layers` + 1 points, from the floor to the ceiling over `p`
+\tparam Column a function object `Status column(const Point_2& p, const std::vector<double>& levels, std::vector<Point>& points)`
+  that appends the points over `p` at these levels, the first of which is on the floor and the last on the ceiling
 
 \returns `ERROR_WRONG_PARAMETER` if `prism` is not valid, `grid` is empty or a column has a wrong length, or the status of
   the first column that fails; then the mesh is left empty
@@ -283,7 +311,9 @@ Status hexahedral_mesh(const Prism_3<GeomTraits>& prism, const Prism_grid& grid,
                        Hexahedron_soup_3<Point>& mesh) {
   mesh = Hexahedron_soup_3<Point>();
   if (!prism.is_valid()) return {ERROR_WRONG_PARAMETER, "the prism"};
-  if (grid.x.size() < 2 || grid.y.size() < 2 || grid.layers == 0) return {ERROR_WRONG_PARAMETER, "the grid"};
+  for (const std::vector<double>* places : {&grid.x, &grid.y, &grid.levels})
+    if (places->size() < 2 || !std::is_sorted(places->begin(), places->end(), std::less_equal<double>()))
+      return {ERROR_WRONG_PARAMETER, "the lines or levels of the grid do not increase"};
   const Status status = internal::Hexahedra_builder<GeomTraits, Point>(prism, grid, mesh)
                             .template build<ConcurrencyTag>(column);
   if (!status.ok()) mesh = Hexahedron_soup_3<Point>();

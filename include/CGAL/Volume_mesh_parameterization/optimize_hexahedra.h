@@ -38,6 +38,10 @@ struct Hexahedra_optimization {
   int most_sweeps =
       100; ///< over all nodes, in each of at most nine passes; a node takes part while one around it moves
   double target = 0.3; ///< the least scaled Jacobian for which even sizes and the mean are given up
+  double second_target =
+      0.5; ///< the least scaled Jacobian that is aimed at as long as the mean does not suffer
+  /// how far a node may leave its patch or rim, as a share of the edges around, where hexahedra are inverted or flat otherwise
+  double surface_tolerance = 0.1;
   /// whether nodes of a rim, where that is no crease, may leave it for the patches at its sides, and nodes of these may
   /// cross it
   bool slides_over_smooth_rims = false;
@@ -94,11 +98,12 @@ Status find_carriers(const Carriers_3& carriers, const Hexahedron_soup_3<Point>&
 
 moves the nodes of a hexahedral mesh so that no hexahedron is inverted and the least scaled Jacobian is large. Nodes in
 the interior are free; those on a patch of the boundary stay on it, and those on the rim between two patches on that rim,
-up to rounding. With `slides_over_smooth_rims`, rims count only where the surface has a crease; elsewhere nodes move on
+up to rounding. Where the surface is smooth at a rim, so that hexahedra remain inverted or flat, their nodes leave patch and rim
+by no more than `surface_tolerance`. With `slides_over_smooth_rims`, rims count only where the surface has a crease; elsewhere nodes move on
 the patches of both sides as on one, and labels tell where nodes were, not where they are.
 
-Nothing warrants that no hexahedron is inverted in the end: where the solid is smooth at a rim, the scaled Jacobian tends
-to zero under refinement, unless there is a layer of hexahedra as `pillow_hexahedra()` makes it. If in the end neither
+Nothing warrants that no hexahedron is inverted in the end: where the solid is smooth at a rim, the scaled Jacobian is small,
+and without tolerance tends to zero under refinement, unless there is a layer of hexahedra as `pillow_hexahedra()` makes it. If in the end neither
 fewer hexahedra are inverted nor the least scaled Jacobian is larger, the mesh is left as it was. The result is the
 same in each run. Use `verify_hexahedra()` for measures before and after.
 
@@ -120,7 +125,9 @@ labels, which the boundary of `object` does not have; `ERROR_EMPTY_MESH`, `ERROR
 template <typename GeomTraits, typename Point>
 Status optimize_hexahedra(const Compact_tetrahedral_mesh_3<GeomTraits>& object,
                           Hexahedron_soup_3<Point>& hexahedra, const Hexahedra_optimization& options = {}) {
-  if (options.most_sweeps < 0 || !(options.target <= 1)) return {ERROR_WRONG_PARAMETER, "the options"};
+  if (options.most_sweeps < 0 || !(options.target <= 1) || !(options.second_target <= 1) ||
+      !(options.surface_tolerance < 1))
+    return {ERROR_WRONG_PARAMETER, "the options"};
   const Hexahedra_report before = verify_hexahedra(hexahedra);
   for (Error_code code : {ERROR_EMPTY_MESH, ERROR_INDEX_OUT_OF_RANGE, ERROR_COORDINATE_NOT_FINITE})
     if (before.status.code() == code) return before.status;
@@ -136,7 +143,7 @@ Status optimize_hexahedra(const Compact_tetrahedral_mesh_3<GeomTraits>& object,
   if (status.ok()) status = internal::find_carriers(carriers, hexahedra, nodes, carrier_of_node);
   if (!status.ok()) return status;
   internal::Hexahedra_optimizer optimizer(nodes, hexahedra.hexahedra, carrier_of_node);
-  optimizer.run(options.most_sweeps, options.target);
+  optimizer.run(options.most_sweeps, options.target, options.second_target, options.surface_tolerance);
 
   Hexahedron_soup_3<Point> result = hexahedra;
   for (std::size_t v = 0; v < nodes.size(); ++v) {

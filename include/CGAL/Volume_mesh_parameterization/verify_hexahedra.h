@@ -14,6 +14,7 @@
 #include <CGAL/Volume_mesh_parameterization/Hexahedron_soup_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Hexahedron_facets.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Surface_topology.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Trilinear_jacobian.h>
 #include <CGAL/Volume_mesh_parameterization/internal/check_coordinates.h>
 
 #include <CGAL/Kernel/global_functions.h>
@@ -35,7 +36,8 @@ namespace Volume_mesh_parameterization {
 is what `verify_hexahedra()` found out about a hexahedral mesh.
 */
 struct Hexahedra_report {
-  std::size_t inverted = 0;            ///< hexahedra with a corner, or the centre, that is not positive
+  /// hexahedra whose trilinear map has somewhere a Jacobian that is not positive, or a centre that is not
+  std::size_t inverted = 0;
   std::size_t poor = 0;                ///< hexahedra with a scaled Jacobian below 0.2
   double minimum_scaled_jacobian = 1;  ///< over all hexahedra
   double mean_scaled_jacobian = 0;     ///< over all hexahedra
@@ -45,7 +47,9 @@ struct Hexahedra_report {
   std::size_t boundary_components = 0; ///< number of components of the boundary
   bool boundary_is_manifold = false;   ///< whether the boundary is a closed surface
   long genus = -1;                     ///< genus of the boundary, -1 if that is not one closed surface
-  Status status;                       ///< the first fault
+  long euler_characteristic =
+      0;         ///< of the solid: vertices - edges + facets - hexahedra; 1 - n for a handlebody
+  Status status; ///< the first fault
 
   bool is_valid() const { return status.ok(); }
 };
@@ -69,7 +73,7 @@ public:
     const Hexahedron_facets facets(m_soup.hexahedra);
     check_facets(facets);
     check_boundary(facets.boundary);
-    count_irregular(facets.boundary);
+    count_edges(facets.boundary);
     return m_report;
   }
 
@@ -101,20 +105,17 @@ private:
       sum += quality;
       m_report.minimum_scaled_jacobian = (std::min)(m_report.minimum_scaled_jacobian, quality);
       m_report.poor += quality < 0.2;
-      if (corners_are_positive(m_soup.hexahedra[h]) && quality > 0) continue;
+      if (quality > 0 && has_positive_jacobian(vertices(m_soup.hexahedra[h]))) continue;
       ++m_report.inverted;
       refuse(ERROR_INVERTED_HEXAHEDRON, "hexahedron " + std::to_string(h));
     }
     m_report.mean_scaled_jacobian = sum / double(m_soup.hexahedra.size());
   }
 
-  bool corners_are_positive(const std::array<std::size_t, 8>& v) const {
-    const auto& p = m_soup.points;
-    for (int i = 0; i < 8; ++i) {
-      const int* n = Cube::neighbors[i];
-      if (CGAL::orientation(p[v[i]], p[v[n[0]]], p[v[n[1]]], p[v[n[2]]]) != POSITIVE) return false;
-    }
-    return true;
+  std::array<Point, 8> vertices(const std::array<std::size_t, 8>& v) const {
+    std::array<Point, 8> result;
+    for (std::size_t i = 0; i < 8; ++i) result[i] = m_soup.points[v[i]];
+    return result;
   }
 
   // The least over the eight corners and the centre (Knupp 2003, as in VTK's Verdict).
@@ -161,7 +162,8 @@ private:
 
   static Edge sorted_edge(std::size_t a, std::size_t b) { return {(std::min)(a, b), (std::max)(a, b)}; }
 
-  void count_irregular(const std::vector<Quadrilateral>& boundary) {
+  // Irregular ones, and those that Euler's characteristic is made of.
+  void count_edges(const std::vector<Quadrilateral>& boundary) {
     std::vector<char> on_boundary(m_soup.points.size(), 0);
     std::vector<Edge> boundary_edges;
     for (const Quadrilateral& f : boundary)
@@ -172,15 +174,22 @@ private:
     std::sort(boundary_edges.begin(), boundary_edges.end());
     const std::vector<Edge> edges = sorted_edges();
     std::vector<std::size_t> degree(m_soup.points.size(), 0);
-    for (std::size_t k = 0, end; k < edges.size(); k = end) {
+    long number_of_edges = 0;
+    for (std::size_t k = 0, end; k < edges.size(); k = end, ++number_of_edges) {
       for (end = k + 1; end < edges.size() && edges[end] == edges[k];) ++end;
       ++degree[edges[k][0]], ++degree[edges[k][1]];
       if (end - k != 4)
         m_report.irregular_edges +=
             !std::binary_search(boundary_edges.begin(), boundary_edges.end(), edges[k]);
     }
-    for (std::size_t v = 0; v < degree.size(); ++v)
+    long vertices = 0;
+    for (std::size_t v = 0; v < degree.size(); ++v) {
+      vertices += degree[v] > 0;
       m_report.irregular_vertices += !on_boundary[v] && degree[v] > 0 && degree[v] != 6;
+    }
+    const long hexahedra = long(m_soup.hexahedra.size()),
+               facets = (6 * hexahedra + long(boundary.size())) / 2;
+    m_report.euler_characteristic = vertices - number_of_edges + facets - hexahedra;
   }
 
   // Each edge once for each hexahedron around it.
@@ -205,7 +214,9 @@ private:
 
 measures the quality and verifies the topology of a hexahedral mesh.
 
-The signs of corners are exact when the predicates of the kernel of `Point` are; the quality is computed with `double`.
+Whether a hexahedron is inverted is decided exactly, in the whole of it and not only at its corners, from Bernstein coefficients
+of the determinant (A. Johnen, J.-C. Weill, J.-F. Remacle, Robust and efficient validation of the linear hexahedral element, 2017);
+the quality is computed with `double`.
 The scaled Jacobian of a hexahedron is the least determinant of normalized edges over its eight corners and its centre
 (P. Knupp, Algebraic mesh quality metrics for unstructured initial meshes, 2003).
 

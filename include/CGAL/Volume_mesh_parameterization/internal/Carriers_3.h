@@ -11,21 +11,11 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/Compact_tetrahedral_mesh_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/AABB_types.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Disjoint_sets.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Facet_adjacency.h>
 
-#include <CGAL/AABB_tree.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/version.h>
-#if CGAL_VERSION_NR >= 1060000000
-#include <CGAL/AABB_segment_primitive_3.h>
-#include <CGAL/AABB_traits_3.h>
-#include <CGAL/AABB_triangle_primitive_3.h>
-#else
-#include <CGAL/AABB_segment_primitive.h>
-#include <CGAL/AABB_traits.h>
-#include <CGAL/AABB_triangle_primitive.h>
-#endif
 
 #include <Eigen/Dense>
 
@@ -37,24 +27,6 @@
 namespace CGAL {
 namespace Volume_mesh_parameterization {
 namespace internal {
-
-// AABB_traits and its primitives were renamed in CGAL 6.
-template <typename Kernel>
-struct AABB_types {
-  using Triangles = std::vector<typename Kernel::Triangle_3>;
-  using Segments = std::vector<typename Kernel::Segment_3>;
-#if CGAL_VERSION_NR >= 1060000000
-  using Triangle_primitive = AABB_triangle_primitive_3<Kernel, typename Triangles::const_iterator>;
-  using Segment_primitive = AABB_segment_primitive_3<Kernel, typename Segments::const_iterator>;
-  template <typename Primitive>
-  using Tree = AABB_tree<AABB_traits_3<Kernel, Primitive>>;
-#else
-  using Triangle_primitive = AABB_triangle_primitive<Kernel, typename Triangles::const_iterator>;
-  using Segment_primitive = AABB_segment_primitive<Kernel, typename Segments::const_iterator>;
-  template <typename Primitive>
-  using Tree = AABB_tree<AABB_traits<Kernel, Primitive>>;
-#endif
-};
 
 // A point of a carrier, and an orthonormal basis of the directions in which it may move there.
 struct Foot_point {

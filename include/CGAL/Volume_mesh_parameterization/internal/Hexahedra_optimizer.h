@@ -11,6 +11,7 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/internal/Carriers_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Corner_energy.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Hexahedron_facets.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Incidence_lists.h>
 
@@ -32,44 +33,6 @@ namespace CGAL {
 namespace Volume_mesh_parameterization {
 namespace internal {
 
-/*
-The energy of a corner of a hexahedron, which is least when its edges are orthogonal and have their rest lengths. With the
-matrix J of edges divided by rest lengths, q = |J|^2 / 3 and d = det J it is
-  ((1 - w) q / chi(d)^(2/3) + w (d^2 + 1) / (2 chi(d)))^power,   chi(d) = (d + sqrt(d^2 + epsilon^2)) / 2.
-The sum is that of V. Garanzha, I. Kaporin, L. Kudryavtseva, F. Protais, N. Ray, D. Sokolov, Foldover-free maps in 50
-lines of code, 2021, equations (2) and (3); a high power looks after the worst corners.
-*/
-struct Corner_energy {
-  double power = 1, volume_weight = 0.8, epsilon = 0;
-
-  struct Derivatives {
-    double f, q, d, qq, qd, dd;
-  };
-
-  double chi(double d) const { return (d + std::hypot(d, epsilon)) / 2; }
-
-  double operator()(double q, double d) const { return std::pow(base(q, d), power); }
-
-  Derivatives derivatives(double q, double d) const {
-    const double w = volume_weight, x = chi(d), root = std::hypot(d, epsilon);
-    const double x1 = x / root, x2 = epsilon * epsilon / (2 * root * root * root);
-    const double r1 = x1 / x, r2 = x2 / x;
-    const double shape = (1 - w) * std::pow(x, -2. / 3), volume = w * (d * d + 1) / (2 * x);
-    const double b = shape * q + volume, bq = shape, bqd = -2. / 3 * shape * r1;
-    const double bd = q * bqd + w * d / x - volume * r1;
-    const double bdd = q * shape * (10. / 9 * r1 * r1 - 2. / 3 * r2) + w * (1 - 2 * d * r1) / x +
-                       volume * (2 * r1 * r1 - r2);
-    const double f = std::pow(b, power), f1 = power * f / b, f2 = (power - 1) * f1 / b;
-    return {f, f1 * bq, f1 * bd, f2 * bq * bq, f1 * bqd + f2 * bq * bd, f1 * bdd + f2 * bd * bd};
-  }
-
-private:
-  double base(double q, double d) const {
-    const double x = chi(d);
-    return (1 - volume_weight) * q / std::cbrt(x * x) + volume_weight * (d * d + 1) / (2 * x);
-  }
-};
-
 // Moves the nodes of a hexahedral mesh one by one, each on its carrier, by Newton steps that lessen the energy of the
 // corners and centres of the hexahedra around.
 class Hexahedra_optimizer {
@@ -85,33 +48,24 @@ public:
       : m_nodes(std::move(nodes)),
         m_hexahedra(hexahedra),
         m_carriers(carriers),
-        m_stars(m_nodes.size(), hexahedra.size(), [&](std::size_t h) { return hexahedra[h]; }) {
+        m_stars(m_nodes.size(), hexahedra.size(), [&](std::size_t h) { return hexahedra[h]; }),
+        m_slacks(m_nodes.size(), 0) {
     find_inverted();
   }
 
   // First with fixed rest lengths, which untangles and spreads the nodes. Then with the edges' own lengths as rest
   // lengths: only angles count, for by the inequality of means the energy is a bound, which the present nodes attain, for
-  // the same function of the scaled Jacobian. The power grows until `target` is reached, or is not worth it. In the end the
-  // mean is looked after, and the worst hexahedra only kept from becoming worse.
-  void run(int most_sweeps, double target) {
-    constexpr double first_volume_weight = 0.8, last_volume_weight = 0.2;
-    constexpr double first_powers[] = {1, 2, 4}, last_powers[] = {2, 4, 8, 16, 32};
+  // the same function of the scaled Jacobian. What is flat to the end may leave its carrier by a `tolerance`, a share of the
+  // edges around.
+  void run(int most_sweeps, double target, double second_target, double tolerance) {
+    constexpr double flat = 0.1;
+    m_most_sweeps = most_sweeps;
     m_rest_lengths = smooth_lengths();
-    constexpr double untangling_gain = 1e-3, rough_gain = 1e-2, fine_gain = 1e-4;
-    for (double power : first_powers) run_pass({power, first_volume_weight}, most_sweeps, untangling_gain);
-    m_has_rest_lengths = false;
-    for (double power : last_powers) {
-      const std::vector<Vector> old_nodes = m_nodes;
-      const Badness old_badness = badness();
-      run_pass({power, last_volume_weight}, most_sweeps, rough_gain);
-      if (least_scaled_jacobian() >= target) break;
-      if (power == last_powers[0] || badness() < old_badness) continue;
-      m_nodes = old_nodes;
-      break;
-    }
-    find_inverted();
-    m_least_allowed = (std::min)(target, least_scaled_jacobian());
-    run_pass({1, last_volume_weight}, most_sweeps, fine_gain);
+    spread();
+    raise_least(target);
+    if (tolerance > 0) leave_carriers((std::min)(flat, target), tolerance);
+    raise_mean(target);
+    if (second_target > target && least_scaled_jacobian() >= target) aim_higher(second_target);
   }
 
   const std::vector<Vector>& nodes() const { return m_nodes; }
@@ -130,6 +84,77 @@ private:
   // The axis of the edge to each neighbor in Reference_hexahedron::neighbors.
   static constexpr int neighbor_axes[8][3] = {{0, 1, 2}, {1, 0, 2}, {0, 1, 2}, {1, 0, 2},
                                               {1, 0, 2}, {0, 1, 2}, {1, 0, 2}, {0, 1, 2}};
+
+  // Stages.
+
+  // Untangles.
+  void spread() {
+    constexpr int powers[] = {1, 2, 4};
+    constexpr double volume_weight = 0.8, least_gain = 1e-3;
+    m_has_rest_lengths = true;
+    for (int power : powers) run_pass({power, volume_weight}, least_gain);
+    m_has_rest_lengths = false;
+  }
+
+  // The power grows until `target` is reached, or is not worth it.
+  void raise_least(double target) {
+    constexpr int powers[] = {2, 4, 8, 16, 32};
+    constexpr double volume_weight = 0.2, least_gain = 1e-2;
+    for (int power : powers) {
+      const std::vector<Vector> old_nodes = m_nodes;
+      const Badness old_badness = badness();
+      run_pass({power, volume_weight}, least_gain);
+      if (least_scaled_jacobian() >= target) break;
+      if (power == powers[0] || badness() < old_badness) continue;
+      m_nodes = old_nodes;
+      break;
+    }
+    find_inverted();
+  }
+
+  // The mean is looked after, and the worst hexahedra only kept from becoming worse than `target`.
+  void raise_mean(double target) {
+    constexpr int power = 3;
+    constexpr double volume_weight = 0, least_gain = 1e-4;
+    m_least_allowed = (std::min)(target, least_scaled_jacobian());
+    run_pass({power, volume_weight}, least_gain);
+    m_least_allowed = -1;
+  }
+
+  // On a smooth surface a hexahedron with two facets there is flat at the edge between them, and inverted where the surface is
+  // concave. Nodes of those that are less than `flat` may leave the surface, a little.
+  void leave_carriers(double flat, double tolerance) {
+    constexpr int most_rounds = 6, powers[] = {2, 8, 16};
+    constexpr double volume_weight = 0.2, least_gain = 1e-3;
+    std::vector<Vector> best_nodes = m_nodes;
+    Badness least = badness();
+    for (int round = 0; round < most_rounds && -least.second < flat; ++round) {
+      for (const Hexahedron& h : m_hexahedra)
+        if (scaled_jacobian(h) < flat)
+          for (std::size_t v : h) m_slacks[v] = tolerance * mean_edge(v);
+      if (round % 2 == 1) spread();
+      for (int power : powers) run_pass({power, volume_weight}, least_gain);
+      find_inverted();
+      if (!(badness() < least)) continue;
+      least = badness();
+      best_nodes = m_nodes;
+    }
+    m_nodes = best_nodes;
+    find_inverted();
+  }
+
+  // As long as the mean does not suffer.
+  void aim_higher(double target) {
+    constexpr double greatest_loss = 0.005;
+    const std::vector<Vector> old_nodes = m_nodes;
+    const double old_mean = mean_scaled_jacobian();
+    const Badness old_badness = badness();
+    raise_least(target);
+    raise_mean(target);
+    if (badness() < old_badness && mean_scaled_jacobian() >= old_mean - greatest_loss) return;
+    m_nodes = old_nodes;
+    find_inverted();
+  }
 
   // Rest lengths.
 
@@ -166,6 +191,10 @@ private:
   }
 
   // Energy.
+
+  static int place(const Hexahedron& h, std::size_t v) {
+    return int(std::find(h.begin(), h.end(), v) - h.begin());
+  }
 
   Vector edge(const Hexahedron& h, int place, int k) const {
     if (place != centre) return m_nodes[h[Cube::neighbors[place][k]]] - m_nodes[h[place]];
@@ -229,6 +258,22 @@ private:
     return least;
   }
 
+  double mean_scaled_jacobian() const {
+    double sum = 0;
+    for (const Hexahedron& h : m_hexahedra) sum += scaled_jacobian(h);
+    return sum / double(m_hexahedra.size());
+  }
+
+  // Of the edges at v, each as often as hexahedra share it.
+  double mean_edge(std::size_t v) const {
+    double sum = 0;
+    for (std::size_t h : m_stars[v]) {
+      const Hexahedron& nodes = m_hexahedra[h];
+      for (int k = 0; k < 3; ++k) sum += edge(nodes, place(nodes, v), k).norm() / 3;
+    }
+    return sum / double(m_stars[v].size());
+  }
+
   bool is_inverted(const Hexahedron& h) const {
     const auto point = [&](int i) {
       const Vector& p = m_nodes[h[i]];
@@ -255,13 +300,13 @@ private:
   // Steps.
 
   // A node sleeps until one around it has gained a share of at least `least_gain` of the energy around.
-  void run_pass(Corner_energy energy, int most_sweeps, double least_gain) {
+  void run_pass(Corner_energy energy, double least_gain) {
     constexpr double least_epsilon =
         0.05; // below it the energy is too steep for steps across kinks of carriers
     m_energy = energy;
     m_is_awake.assign(m_nodes.size(), 1);
     bool some_moved = true;
-    for (int sweep = 0; sweep < most_sweeps && some_moved; ++sweep) {
+    for (int sweep = 0; sweep < m_most_sweeps && some_moved; ++sweep) {
       m_energy.epsilon = (std::max)(least_epsilon, -2 * least_scaled_jacobian());
       some_moved = false;
       for (std::size_t k = 0; k < m_nodes.size(); ++k)
@@ -283,9 +328,9 @@ private:
     std::vector<Corner> corners;
     for (std::size_t h : m_stars[v]) {
       const Hexahedron& nodes = m_hexahedra[h];
-      const int i = int(std::find(nodes.begin(), nodes.end(), v) - nodes.begin());
+      const int i = place(nodes, v);
       const int* n = Cube::neighbors[i];
-      for (int place : {i, n[0], n[1], n[2], centre + 0}) corners.push_back(corner(h, place, i));
+      for (int at : {i, n[0], n[1], n[2], centre + 0}) corners.push_back(corner(h, at, i));
     }
     return corners;
   }
@@ -298,12 +343,19 @@ private:
     const double old_energy = energy(corners);
     Vector step = newton_step(v, corners);
     for (int k = 0; k <= most_halvings; ++k, step /= 2) {
-      m_nodes[v] = Carriers_3::project(m_carriers[v], start + step).point;
+      m_nodes[v] = carried(v, start + step);
       const double new_energy = energy(corners);
       if (new_energy < old_energy && accept_star(v)) return 1 - new_energy / old_energy;
     }
     m_nodes[v] = start;
     return 0;
+  }
+
+  // The nearest point to p where node v may be.
+  Vector carried(std::size_t v, const Vector& p) const {
+    const Vector foot = Carriers_3::project(m_carriers[v], p).point;
+    const double distance = (p - foot).norm();
+    return distance <= m_slacks[v] ? p : Vector(foot + m_slacks[v] / distance * (p - foot));
   }
 
   // Takes note of the inverted hexahedra around v, unless they have become more, which is allowed only while untangling:
@@ -329,7 +381,8 @@ private:
     Vector gradient = Vector::Zero();
     Matrix hessian = Matrix::Zero();
     for (const Corner& c : corners) add_derivatives(c, gradient, hessian);
-    const auto basis = Carriers_3::project(m_carriers[v], m_nodes[v]).directions;
+    auto basis = Carriers_3::project(m_carriers[v], m_nodes[v]).directions;
+    if (m_slacks[v] > 0) basis = Matrix::Identity();
     using Small_matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 3, 3>;
     const Eigen::SelfAdjointEigenSolver<Small_matrix> modes(
         Small_matrix(basis.transpose() * hessian * basis));
@@ -364,7 +417,9 @@ private:
   const std::vector<Hexahedron>& m_hexahedra;
   const std::vector<Carriers_3::Handle>& m_carriers;
   Incidence_lists<std::size_t, std::size_t> m_stars; // the hexahedra around each node
+  std::vector<double> m_slacks;                      // how far nodes may be from their carriers
   std::vector<char> m_inverted, m_is_awake;          // hexahedra; nodes
+  int m_most_sweeps = 0;                             // in a pass
   std::vector<Vector> m_rest_lengths;                // of each hexahedron along its three axes
   bool m_has_rest_lengths = true;                    // else an edge's own length serves
   double m_least_allowed = -1;                       // scaled Jacobian
