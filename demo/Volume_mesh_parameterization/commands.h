@@ -31,6 +31,17 @@ struct Input_options {
   bool keeps_triangles = false;             // of a surface, even if they are thin
 };
 
+// One of the first three says how many are wanted.
+struct Hexahedra_options {
+  std::size_t number = 0;                          // about
+  double edge = 0;                                 // about, in the unit of the input
+  std::optional<std::array<std::size_t, 3>> cells; // along the axes of the prism
+  double grading = 1;                              // height of a layer relative to the one below
+  bool has_pillow = false;                         // a layer of hexahedra along the boundary
+
+  bool is_wanted() const { return number > 0 || edge > 0 || cells; }
+};
+
 struct Parameterize_options {
   Input_options input;
   std::string folder;
@@ -40,8 +51,7 @@ struct Parameterize_options {
   CGAL::Volume_mesh_parameterization::Floor_map_options prism; // what is asked of the prism that is found
   Field field = Field::CERTIFIED;
   std::string solver = "cg";
-  std::size_t number_of_hexahedra = 0;
-  bool has_pillow = false; // a layer of hexahedra along the boundary
+  Hexahedra_options hexahedra;
   std::size_t threads = Thread_limit::default_number();
   bool quiet = false;
 };

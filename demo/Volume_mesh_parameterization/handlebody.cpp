@@ -68,6 +68,29 @@ void add_partition(CLI::App& command, Partition_command& options) {
   add_quiet(command, options.quiet);
 }
 
+void add_hexahedra(CLI::App& command, Hexahedra_options& options) {
+  constexpr double greatest_grading = 10;
+  command.add_option("--hexes", options.number, "also a hexahedral mesh of about so many cells; 0: none")
+      ->check(CLI::Range(0., most_cells).description("up to 1e7"))
+      ->capture_default_str();
+  command.add_option("--hex-edge", options.edge, "also a hexahedral mesh with edges of about this length")
+      ->type_name("LENGTH")
+      ->check(CLI::PositiveNumber)
+      ->excludes("--hexes");
+  command.add_option("--hex-cells", options.cells, "also a hexahedral mesh of about so many cells along the width, depth and height of the prism")
+      ->type_name("X,Y,Z")
+      ->delimiter(',')
+      ->check(CLI::Range(1., most_cells).description("from 1"))
+      ->excludes("--hexes", "--hex-edge");
+  command.add_option("--hex-grading", options.grading, "how many times as high as the layer below each layer of hexahedra is")
+      ->check(CLI::Range(1 / greatest_grading, greatest_grading))
+      ->capture_default_str();
+  command.add_flag("--pillow", options.has_pillow, "with hexahedra: a layer of them along the boundary, for good corners where it is smooth");
+  command.callback([&options] {
+    if (options.has_pillow && !options.is_wanted()) throw CLI::RequiresError("--pillow", "--hexes");
+  });
+}
+
 void add_parameterize(CLI::App& command, Parameterize_options& options) {
   add_input(command, options.input);
   add_keep_triangles(command, options.input);
@@ -80,17 +103,11 @@ void add_parameterize(CLI::App& command, Parameterize_options& options) {
       {"certified", Field::CERTIFIED}, {"flux", Field::FLUX}, {"paper", Field::PAPER}};
   command.add_option("--field", options.field, "the curves: certified (default), of the flux itself, or also the paper's averaged gradient for comparison")
       ->transform(CLI::CheckedTransformer(fields).description("{certified,flux,paper}"));
-  CLI::Option* hexes = command.add_option("--hexes", options.number_of_hexahedra, "also a hexahedral mesh of about so many cells; 0: none")
-      ->check(CLI::Range(0., most_cells).description("up to 1e7"))
-      ->capture_default_str();
-  command.add_flag("--pillow", options.has_pillow, "with --hexes: a layer of hexahedra along the boundary, for good corners where it is smooth");
-  command.callback([&options] {
-    if (options.has_pillow && options.number_of_hexahedra == 0) throw CLI::RequiresError("--pillow", "--hexes");
-  });
+  add_hexahedra(command, options.hexahedra);
   CLI::Option* boundary_map = command.add_option("--boundary-map", options.boundary_map, "onto a polycube instead of a prism that fits: a file like INPUT whose points are the images of the vertices of INPUT; those on the boundary count")
       ->type_name("FILE")
       ->excludes(partition)
-      ->excludes(hexes);
+      ->excludes("--hexes", "--hex-edge", "--hex-cells");
   command.add_option("--domain", options.domain, "the polycube: a closed surface, tetrahedra, hexahedra (.mesh), or a list of integer cells (.txt .cells); default: what the boundary map maps onto")
       ->type_name("POLYCUBE")
       ->needs(boundary_map);

@@ -1,6 +1,7 @@
 #include "Result_folder.h"
 #include "Stage_clock.h"
 #include "commands.h"
+#include "hexahedra.h"
 #include "load_domain.h"
 #include "load_input.h"
 #include "report.h"
@@ -9,10 +10,6 @@
 #include <CGAL/Volume_mesh_parameterization/Averaged_gradient_field_3.h>
 #include <CGAL/Volume_mesh_parameterization/IO/MEDIT.h>
 #include <CGAL/Volume_mesh_parameterization/Piecewise_linear_map_3.h>
-#include <CGAL/Volume_mesh_parameterization/hexahedral_mesh.h>
-#include <CGAL/Volume_mesh_parameterization/optimize_hexahedra.h>
-#include <CGAL/Volume_mesh_parameterization/pillow_hexahedra.h>
-#include <CGAL/Volume_mesh_parameterization/verify_hexahedra.h>
 #include <CGAL/Volume_mesh_parameterization/verify_map.h>
 
 #include <iostream>
@@ -135,7 +132,7 @@ private:
     if (status.ok() && m_polycube.is_valid()) status = write_polycube();
     if (p.curve_field()) report_fields();
     if (status.ok() && !p.vertex_images().empty()) status = write_map();
-    if (status.ok() && p.product_map() && m_options.number_of_hexahedra > 0)
+    if (status.ok() && p.product_map() && m_options.hexahedra.is_wanted())
       status = write_hexahedra(p.floor_map()->domain());
     if (m_options.field == Field::PAPER && p.harmonic_function()) report_paper();
     m_clock.finish();
@@ -277,44 +274,12 @@ private:
   // The program does not accept --hexes with --domain.
   Status write_hexahedra(const Polycube&) { return {}; }
 
-  Status write_hexahedra(const VMP::Prism_3<Kernel>& domain) {
+  Status write_hexahedra(const VMP::Prism_3<Kernel>&) {
     VMP::Hexahedron_soup_3<Point_3> hexahedra;
-    Status status = extract_hexahedra(domain, hexahedra);
-    if (status.ok()) {
-      m_report["hexahedra_before_optimization"] = report_hexahedra(
-          VMP::verify_hexahedra(hexahedra), hexahedra.hexahedra.size(), m_options.has_pillow);
-      status = VMP::optimize_hexahedra(m_parameterizer->mesh(), hexahedra, optimization());
-    }
-    if (!status.ok()) {
-      m_not_certified = status;
-      return {};
-    }
-    const VMP::Hexahedra_report report = VMP::verify_hexahedra(hexahedra);
-    m_report["hexahedra"] = report_hexahedra(report, hexahedra.hexahedra.size(), m_options.has_pillow);
-    if (report.is_valid()) return VMP::IO::write_MEDIT(m_folder.file(Result_folder::hexahedra), hexahedra);
-    m_not_certified = report.status;
+    const Status status = make_hexahedra(m_options.hexahedra, *m_parameterizer, m_linear, m_report, hexahedra);
+    if (status.ok()) return VMP::IO::write_MEDIT(m_folder.file(Result_folder::hexahedra), hexahedra);
+    m_not_certified = status;
     return {};
-  }
-
-  Status extract_hexahedra(const VMP::Prism_3<Kernel>& domain,
-                           VMP::Hexahedron_soup_3<Point_3>& hexahedra) const {
-    const auto& map = *m_parameterizer->product_map();
-    const Status status = VMP::hexahedral_mesh<CGAL::Parallel_if_available_tag>(
-        domain, VMP::prism_grid_of_size(domain, m_options.number_of_hexahedra, m_options.has_pillow),
-        [&](const Kernel::Point_2& q, std::size_t layers, std::vector<Point_3>& points) {
-          return map.column(q, layers, points);
-        },
-        hexahedra);
-    return status.ok() && m_options.has_pillow ? VMP::pillow_hexahedra(hexahedra) : status;
-  }
-
-  // A pillow makes good corners possible along smooth rims, where these need not be kept.
-  VMP::Hexahedra_optimization optimization() const {
-    constexpr double target_with_pillow = 0.5;
-    VMP::Hexahedra_optimization optimization;
-    if (m_options.has_pillow) optimization.target = target_with_pillow;
-    optimization.slides_over_smooth_rims = m_options.has_pillow;
-    return optimization;
   }
 
   // Steps 3 to 5 of the paper on the same mesh: how many interior vertices arrive at each base.

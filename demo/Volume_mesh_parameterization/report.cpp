@@ -194,6 +194,7 @@ Json report_hexahedra(const VMP::Hexahedra_report& report, std::size_t number, b
           {"irregular_interior_edges", report.irregular_edges},
           {"irregular_interior_vertices", report.irregular_vertices},
           {"genus", report.genus},
+          {"euler_characteristic", report.euler_characteristic},
           {"status", report_status(report.status)}};
 }
 

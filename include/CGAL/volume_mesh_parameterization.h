@@ -35,6 +35,7 @@
 #include <CGAL/Volume_mesh_parameterization/Hexahedron_soup_3.h>
 #include <CGAL/Volume_mesh_parameterization/Integral_curve_3.h>
 #include <CGAL/Volume_mesh_parameterization/Partition_search_3.h>
+#include <CGAL/Volume_mesh_parameterization/Piecewise_linear_inverse_3.h>
 #include <CGAL/Volume_mesh_parameterization/Piecewise_linear_map_3.h>
 #include <CGAL/Volume_mesh_parameterization/Polycube_3.h>
 #include <CGAL/Volume_mesh_parameterization/Polygon_soup_3.h>
@@ -59,6 +60,7 @@
 #include <CGAL/Volume_mesh_parameterization/make_triangle_soup.h>
 #include <CGAL/Volume_mesh_parameterization/measure_distortion.h>
 #include <CGAL/Volume_mesh_parameterization/measure_floor_distortion.h>
+#include <CGAL/Volume_mesh_parameterization/measure_hexahedral_fit.h>
 #include <CGAL/Volume_mesh_parameterization/measure_map_distance.h>
 #include <CGAL/Volume_mesh_parameterization/measure_partition.h>
 #include <CGAL/Volume_mesh_parameterization/optimize_hexahedra.h>

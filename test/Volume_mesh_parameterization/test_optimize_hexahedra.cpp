@@ -37,9 +37,8 @@ struct Block {
     std::vector<VMP::Rectangle_2> rectangles;
     for (double k = 0; k < holes; ++k) rectangles.push_back({2 * k + 1, 1, 2 * k + 2, 2});
     const VMP::Prism_3<K> prism({0, 0, 2. * holes + 1, 3}, rectangles, height);
-    const auto column = [](const typename K::Point_2& p, std::size_t layers, auto& points) {
-      for (std::size_t k = 0; k <= layers; ++k)
-        points.emplace_back(p.x(), p.y(), height * double(k) / double(layers));
+    const auto column = [](const typename K::Point_2& p, const std::vector<double>& levels, auto& points) {
+      for (double level : levels) points.emplace_back(p.x(), p.y(), height * level);
       return VMP::Status();
     };
     const VMP::Status status = VMP::hexahedral_mesh(prism, VMP::prism_grid(prism, edge), column, hexahedra);

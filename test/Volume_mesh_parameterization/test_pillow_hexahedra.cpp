@@ -34,9 +34,8 @@ VMP::Prism_3<K> prism(int holes) {
 
 template <typename K>
 Hexahedra<K> grid(int holes, double edge) {
-  const auto column = [](const typename K::Point_2& p, std::size_t layers, auto& points) {
-    for (std::size_t k = 0; k <= layers; ++k)
-      points.emplace_back(p.x(), p.y(), height * double(k) / double(layers));
+  const auto column = [](const typename K::Point_2& p, const std::vector<double>& levels, auto& points) {
+    for (double level : levels) points.emplace_back(p.x(), p.y(), height * level);
     return VMP::Status();
   };
   Hexahedra<K> mesh;

@@ -57,10 +57,39 @@ struct Hexahedra_report {
 namespace internal {
 
 template <typename Point>
+std::array<Point, 8> hexahedron_points(const Hexahedron_soup_3<Point>& soup, std::size_t hexahedron) {
+  std::array<Point, 8> points;
+  for (std::size_t i = 0; i < 8; ++i) points[i] = soup.points[soup.hexahedra[hexahedron][i]];
+  return points;
+}
+
+inline double normalized_determinant(const Double_kernel::Vector_3& a, const Double_kernel::Vector_3& b,
+                                     const Double_kernel::Vector_3& c) {
+  const double lengths = std::sqrt(a.squared_length() * b.squared_length() * c.squared_length());
+  return lengths > 0 ? CGAL::determinant(a, b, c) / lengths : -1;
+}
+
+// The least over the eight corners and the centre (Knupp 2003, as in VTK's Verdict).
+template <typename Point>
+double scaled_jacobian(const std::array<Point, 8>& p) {
+  using Cube = Reference_hexahedron;
+  using Vector = Double_kernel::Vector_3;
+  const auto edge = [&](int a, int b) { return approximate(p[b]) - approximate(p[a]); };
+  Vector centre[3] = {CGAL::NULL_VECTOR, CGAL::NULL_VECTOR, CGAL::NULL_VECTOR};
+  for (int axis = 0; axis < 3; ++axis)
+    for (const auto& e : Cube::axis_edges[axis]) centre[axis] = centre[axis] + edge(e[0], e[1]);
+  double least = normalized_determinant(centre[0], centre[1], centre[2]);
+  for (int i = 0; i < 8; ++i) {
+    const int* n = Cube::neighbors[i];
+    least = (std::min)(least, normalized_determinant(edge(i, n[0]), edge(i, n[1]), edge(i, n[2])));
+  }
+  return least;
+}
+
+template <typename Point>
 class Hexahedra_verifier {
   using Soup = Hexahedron_soup_3<Point>;
   using Cube = Reference_hexahedron;
-  using Vector = Double_kernel::Vector_3;
   using Edge = std::array<std::size_t, 2>;
   using Quadrilateral = Hexahedron_facets::Quadrilateral;
 
@@ -101,42 +130,16 @@ private:
   void measure_quality() {
     double sum = 0;
     for (std::size_t h = 0; h < m_soup.hexahedra.size(); ++h) {
-      const double quality = scaled_jacobian(m_soup.hexahedra[h]);
+      const std::array<Point, 8> vertices = hexahedron_points(m_soup, h);
+      const double quality = scaled_jacobian(vertices);
       sum += quality;
       m_report.minimum_scaled_jacobian = (std::min)(m_report.minimum_scaled_jacobian, quality);
       m_report.poor += quality < 0.2;
-      if (quality > 0 && has_positive_jacobian(vertices(m_soup.hexahedra[h]))) continue;
+      if (quality > 0 && has_positive_jacobian(vertices)) continue;
       ++m_report.inverted;
       refuse(ERROR_INVERTED_HEXAHEDRON, "hexahedron " + std::to_string(h));
     }
     m_report.mean_scaled_jacobian = sum / double(m_soup.hexahedra.size());
-  }
-
-  std::array<Point, 8> vertices(const std::array<std::size_t, 8>& v) const {
-    std::array<Point, 8> result;
-    for (std::size_t i = 0; i < 8; ++i) result[i] = m_soup.points[v[i]];
-    return result;
-  }
-
-  // The least over the eight corners and the centre (Knupp 2003, as in VTK's Verdict).
-  double scaled_jacobian(const std::array<std::size_t, 8>& v) const {
-    const auto edge = [&](int a, int b) {
-      return approximate(m_soup.points[v[b]]) - approximate(m_soup.points[v[a]]);
-    };
-    Vector centre[3] = {CGAL::NULL_VECTOR, CGAL::NULL_VECTOR, CGAL::NULL_VECTOR};
-    for (int axis = 0; axis < 3; ++axis)
-      for (const auto& e : Cube::axis_edges[axis]) centre[axis] = centre[axis] + edge(e[0], e[1]);
-    double least = normalized_determinant(centre[0], centre[1], centre[2]);
-    for (int i = 0; i < 8; ++i) {
-      const int* n = Cube::neighbors[i];
-      least = (std::min)(least, normalized_determinant(edge(i, n[0]), edge(i, n[1]), edge(i, n[2])));
-    }
-    return least;
-  }
-
-  static double normalized_determinant(const Vector& a, const Vector& b, const Vector& c) {
-    const double lengths = std::sqrt(a.squared_length() * b.squared_length() * c.squared_length());
-    return lengths > 0 ? CGAL::determinant(a, b, c) / lengths : -1;
   }
 
   // Topology.
@@ -208,6 +211,21 @@ private:
 };
 
 } // namespace internal
+
+/*!
+\ingroup PkgVolumeMeshParameterizationVerification
+
+returns the scaled Jacobian of each hexahedron: see `verify_hexahedra()`.
+
+\pre the vertices of the hexahedra exist
+*/
+template <typename Point>
+std::vector<double> scaled_jacobians(const Hexahedron_soup_3<Point>& soup) {
+  std::vector<double> result;
+  for (std::size_t h = 0; h < soup.hexahedra.size(); ++h)
+    result.push_back(internal::scaled_jacobian(internal::hexahedron_points(soup, h)));
+  return result;
+}
 
 /*!
 \ingroup PkgVolumeMeshParameterizationVerification

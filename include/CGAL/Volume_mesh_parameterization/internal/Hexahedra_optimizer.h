@@ -62,10 +62,12 @@ public:
     m_most_sweeps = most_sweeps;
     m_rest_lengths = smooth_lengths();
     spread();
-    raise_least(target);
+    const int passes = raise_least(target);
     if (tolerance > 0) leave_carriers((std::min)(flat, target), tolerance);
     raise_mean(target);
-    if (second_target > target && least_scaled_jacobian() >= target) aim_higher(second_target);
+    constexpr int few = 2; // passes; else it would cost the mean
+    if (second_target > target && passes <= few && least_scaled_jacobian() >= target)
+      aim_higher(second_target);
   }
 
   const std::vector<Vector>& nodes() const { return m_nodes; }
@@ -96,20 +98,23 @@ private:
     m_has_rest_lengths = false;
   }
 
-  // The power grows until `target` is reached, or is not worth it.
-  void raise_least(double target) {
+  // The power grows until `target` is reached, or is not worth it. Returns the number of passes.
+  int raise_least(double target) {
     constexpr int powers[] = {2, 4, 8, 16, 32};
     constexpr double volume_weight = 0.2, least_gain = 1e-2;
+    int passes = 0;
     for (int power : powers) {
       const std::vector<Vector> old_nodes = m_nodes;
       const Badness old_badness = badness();
       run_pass({power, volume_weight}, least_gain);
+      ++passes;
       if (least_scaled_jacobian() >= target) break;
-      if (power == powers[0] || badness() < old_badness) continue;
+      if (passes == 1 || badness() < old_badness) continue;
       m_nodes = old_nodes;
       break;
     }
     find_inverted();
+    return passes;
   }
 
   // The mean is looked after, and the worst hexahedra only kept from becoming worse than `target`.
