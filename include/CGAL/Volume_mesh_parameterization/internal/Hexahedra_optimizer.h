@@ -120,7 +120,7 @@ private:
   // The mean is looked after, and the worst hexahedra only kept from becoming worse than `target`.
   void raise_mean(double target) {
     constexpr int power = 3;
-    constexpr double volume_weight = 0, least_gain = 1e-4;
+    constexpr double volume_weight = 0, least_gain = 1e-5;
     m_least_allowed = (std::min)(target, least_scaled_jacobian());
     run_pass({power, volume_weight}, least_gain);
     m_least_allowed = -1;
