@@ -15,7 +15,7 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Hexahedron_facets.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Surface_topology.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Trilinear_jacobian.h>
-#include <CGAL/Volume_mesh_parameterization/internal/check_coordinates.h>
+#include <CGAL/Volume_mesh_parameterization/internal/check_hexahedra.h>
 
 #include <CGAL/Kernel/global_functions.h>
 #include <CGAL/enum.h>
@@ -112,16 +112,7 @@ private:
   }
 
   bool check_input() {
-    if (m_soup.hexahedra.empty()) refuse(ERROR_EMPTY_MESH, "it has no hexahedra");
-    for (std::size_t h = 0; h < m_soup.hexahedra.size(); ++h) {
-      auto v = m_soup.hexahedra[h];
-      std::sort(v.begin(), v.end());
-      if (v.back() >= m_soup.points.size() || std::adjacent_find(v.begin(), v.end()) != v.end())
-        refuse(ERROR_INDEX_OUT_OF_RANGE, "hexahedron " + std::to_string(h));
-    }
-    if (m_report.status.ok())
-      m_report.status = check_coordinates(
-          m_soup.points.size(), [this](std::size_t v) -> const auto& { return m_soup.points[v]; });
+    m_report.status = check_hexahedra(m_soup);
     return m_report.status.ok();
   }
 

@@ -63,8 +63,6 @@ void write_MEDIT_facets(Text_writer& out, const char* section, const Facets& fac
   out << "\nEnd\n";
 }
 
-inline Status check_stream(const std::ostream& os) { return os ? Status() : Status(ERROR_CANNOT_WRITE_FILE); }
-
 } // namespace internal
 
 namespace IO {

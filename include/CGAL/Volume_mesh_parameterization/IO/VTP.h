@@ -85,7 +85,7 @@ Status write_VTP(std::ostream& os, const std::vector<std::vector<Point>>& polyli
     xml.data_arrays("CellData", line_data);
     xml.text() << "</Piece>\n";
   }
-  return os ? Status() : Status(ERROR_CANNOT_WRITE_FILE);
+  return internal::check_stream(os);
 }
 
 /*!

@@ -11,6 +11,7 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/Error_code.h>
+#include <CGAL/Volume_mesh_parameterization/Hexahedron_soup_3.h>
 #include <CGAL/Volume_mesh_parameterization/IO/Data_array.h>
 #include <CGAL/Volume_mesh_parameterization/Tetrahedron_soup_3.h>
 #include <CGAL/Volume_mesh_parameterization/indices.h>
@@ -19,6 +20,7 @@
 #include <CGAL/Volume_mesh_parameterization/internal/VTK_grid.h>
 #include <CGAL/Volume_mesh_parameterization/internal/VTU_reader.h>
 #include <CGAL/Volume_mesh_parameterization/internal/check_coordinates.h>
+#include <CGAL/Volume_mesh_parameterization/internal/check_hexahedra.h>
 #include <CGAL/Volume_mesh_parameterization/internal/write_atomically.h>
 
 #include <algorithm>
@@ -67,42 +69,14 @@ void for_each_VTU_cell(const TetrahedralMesh& mesh, const IO::VTU_content& conte
 }
 
 template <typename TetrahedralMesh>
-std::size_t number_of_VTU_cells(const TetrahedralMesh& mesh, const IO::VTU_content& content) {
-  std::size_t n = 0;
-  for_each_VTU_cell(mesh, content, [&](int, const auto&, int) { ++n; });
-  return n;
-}
-
-template <typename TetrahedralMesh>
-Status check_VTU_content(const TetrahedralMesh& mesh, const IO::VTU_content& content) {
+Status check_marks(const TetrahedralMesh& mesh, const IO::VTU_content& content) {
   const std::size_t n = mesh.number_of_vertices();
   for (std::size_t v : content.marked_vertices)
     if (v >= n) return {ERROR_WRONG_PARAMETER, "there is no vertex " + std::to_string(v) + " to mark"};
   for (const auto& e : content.marked_edges)
     if ((std::max)(e[0], e[1]) >= n)
       return {ERROR_WRONG_PARAMETER, "there is no vertex " + std::to_string((std::max)(e[0], e[1])) + " to mark an edge of"};
-  Status status = check_coordinates(n, [&](std::size_t v) -> decltype(auto) { return mesh.point(v); });
-  if (status.ok()) status = check_data_arrays(content.point_data, n, "vertices");
-  if (status.ok()) status = check_data_arrays(content.cell_data, number_of_VTU_cells(mesh, content), "cells");
-  return status;
-}
-
-template <typename TetrahedralMesh>
-void write_VTU_cells(VTK_XML_writer& xml, const TetrahedralMesh& mesh, const IO::VTU_content& content) {
-  xml.array("connectivity", "Int64", 1, [&](Text_writer& out) {
-    for_each_VTU_cell(mesh, content, [&](int, const auto& vertices, int) {
-      for (std::size_t v : vertices) out << v << ' ';
-      out << '\n';
-    });
-  });
-  std::size_t end = 0;
-  xml.array("offsets", "Int64", 1, [&](Text_writer& out) {
-    for_each_VTU_cell(mesh, content,
-                      [&](int, const auto& vertices, int) { out << (end += vertices.size()) << '\n'; });
-  });
-  xml.array("types", "UInt8", 1, [&](Text_writer& out) {
-    for_each_VTU_cell(mesh, content, [&](int type, const auto&, int) { out << type << '\n'; });
-  });
+  return {};
 }
 
 template <typename TetrahedralMesh>
@@ -114,6 +88,64 @@ std::vector<IO::Data_array> with_labels(const TetrahedralMesh& mesh, const IO::V
   arrays.push_back({"label", std::move(labels)});
   return arrays;
 }
+
+// Writes points and cells of any kind: for_each_cell(visit) calls visit(VTK type, vertices, label) for each.
+template <typename PointOf, typename ForEachCell>
+class VTU_grid_writer {
+public:
+  VTU_grid_writer(std::size_t number_of_points, const PointOf& point_of, const ForEachCell& for_each_cell)
+      : m_number_of_points(number_of_points), m_point_of(point_of), m_for_each_cell(for_each_cell) {
+    m_for_each_cell([&](int, const auto&, int) { ++m_number_of_cells; });
+  }
+
+  Status write(std::ostream& os, const std::vector<IO::Data_array>& point_data,
+               const std::vector<IO::Data_array>& cell_data) const {
+    Status status = check_coordinates(m_number_of_points, m_point_of);
+    if (status.ok()) status = check_data_arrays(point_data, m_number_of_points, "vertices");
+    if (status.ok()) status = check_data_arrays(cell_data, m_number_of_cells, "cells");
+    if (!status.ok()) return status;
+    write_piece(os, point_data, cell_data);
+    return check_stream(os);
+  }
+
+private:
+  void write_piece(std::ostream& os, const std::vector<IO::Data_array>& point_data,
+                   const std::vector<IO::Data_array>& cell_data) const {
+    VTK_XML_writer xml(os, "UnstructuredGrid");
+    xml.text() << "<Piece NumberOfPoints=\"" << m_number_of_points << "\" NumberOfCells=\"" << m_number_of_cells
+               << "\">\n";
+    xml.element("Points", [&] {
+      xml.array("Points", "Float64", 3, [&](Text_writer& out) {
+        for (std::size_t v = 0; v < m_number_of_points; ++v) xml.write_point(out, m_point_of(v));
+      });
+    });
+    xml.element("Cells", [&] { write_cells(xml); });
+    xml.data_arrays("PointData", point_data);
+    xml.data_arrays("CellData", cell_data);
+    xml.text() << "</Piece>\n";
+  }
+
+  void write_cells(VTK_XML_writer& xml) const {
+    xml.array("connectivity", "Int64", 1, [&](Text_writer& out) {
+      m_for_each_cell([&](int, const auto& vertices, int) {
+        for (std::size_t v : vertices) out << v << ' ';
+        out << '\n';
+      });
+    });
+    std::size_t end = 0;
+    xml.array("offsets", "Int64", 1, [&](Text_writer& out) {
+      m_for_each_cell([&](int, const auto& vertices, int) { out << (end += vertices.size()) << '\n'; });
+    });
+    xml.array("types", "UInt8", 1, [&](Text_writer& out) {
+      m_for_each_cell([&](int type, const auto&, int) { out << type << '\n'; });
+    });
+  }
+
+  std::size_t m_number_of_points;
+  const PointOf& m_point_of;
+  const ForEachCell& m_for_each_cell;
+  std::size_t m_number_of_cells = 0;
+};
 
 } // namespace internal
 
@@ -163,23 +195,12 @@ marked vertex or edge that does not exist) or `ERROR_CANNOT_WRITE_FILE`
 */
 template <typename TetrahedralMesh>
 Status write_VTU(std::ostream& os, const TetrahedralMesh& mesh, const VTU_content& content = {}) {
-  const Status status = internal::check_VTU_content(mesh, content);
+  const Status status = internal::check_marks(mesh, content);
   if (!status.ok()) return status;
-  {
-    internal::VTK_XML_writer xml(os, "UnstructuredGrid");
-    xml.text() << "<Piece NumberOfPoints=\"" << mesh.number_of_vertices() << "\" NumberOfCells=\""
-               << internal::number_of_VTU_cells(mesh, content) << "\">\n";
-    xml.element("Points", [&] {
-      xml.array("Points", "Float64", 3, [&](internal::Text_writer& out) {
-        for (std::size_t v = 0; v < mesh.number_of_vertices(); ++v) xml.write_point(out, mesh.point(v));
-      });
-    });
-    xml.element("Cells", [&] { internal::write_VTU_cells(xml, mesh, content); });
-    xml.data_arrays("PointData", content.point_data);
-    xml.data_arrays("CellData", internal::with_labels(mesh, content));
-    xml.text() << "</Piece>\n";
-  }
-  return os ? Status() : Status(ERROR_CANNOT_WRITE_FILE);
+  const auto point_of = [&](std::size_t v) -> decltype(auto) { return mesh.point(v); };
+  const auto for_each_cell = [&](const auto& visit) { internal::for_each_VTU_cell(mesh, content, visit); };
+  return internal::VTU_grid_writer(mesh.number_of_vertices(), point_of, for_each_cell)
+      .write(os, content.point_data, internal::with_labels(mesh, content));
 }
 
 /*!
@@ -190,6 +211,38 @@ writes the file `filename`, as the function above, under a temporary name first:
 template <typename TetrahedralMesh>
 Status write_VTU(const std::string& filename, const TetrahedralMesh& mesh, const VTU_content& content = {}) {
   return internal::write_atomically(filename, [&](std::ostream& os) { return write_VTU(os, mesh, content); });
+}
+
+/*!
+\ingroup PkgVolumeMeshParameterizationIO
+
+writes hexahedra with data on their vertices and on themselves as an ASCII VTU file; their labelled facets are left out.
+
+\returns `ERROR_EMPTY_MESH`, `ERROR_INDEX_OUT_OF_RANGE`, `ERROR_COORDINATE_NOT_FINITE`, `ERROR_WRONG_PARAMETER` (the size of
+an array, or a value that is not finite) or `ERROR_CANNOT_WRITE_FILE`
+*/
+template <typename Point>
+Status write_VTU(std::ostream& os, const Hexahedron_soup_3<Point>& soup, const std::vector<Data_array>& point_data = {},
+                 const std::vector<Data_array>& cell_data = {}) {
+  const Status status = internal::check_hexahedra(soup);
+  if (!status.ok()) return status;
+  const auto point_of = [&](std::size_t v) -> const Point& { return soup.points[v]; };
+  const auto for_each_cell = [&](const auto& visit) {
+    for (const auto& hexahedron : soup.hexahedra) visit(internal::VTK_HEXAHEDRON, hexahedron, 0);
+  };
+  return internal::VTU_grid_writer(soup.points.size(), point_of, for_each_cell).write(os, point_data, cell_data);
+}
+
+/*!
+\ingroup PkgVolumeMeshParameterizationIO
+
+writes the file `filename`, as the function above, under a temporary name first: on failure nothing is changed.
+*/
+template <typename Point>
+Status write_VTU(const std::string& filename, const Hexahedron_soup_3<Point>& soup,
+                 const std::vector<Data_array>& point_data = {}, const std::vector<Data_array>& cell_data = {}) {
+  return internal::write_atomically(
+      filename, [&](std::ostream& os) { return write_VTU(os, soup, point_data, cell_data); });
 }
 
 } // namespace IO

@@ -10,6 +10,8 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
+#include <CGAL/Volume_mesh_parameterization/Error_code.h>
+
 #include <CGAL/number_utils.h>
 
 #include <charconv>
@@ -66,6 +68,9 @@ private:
   std::ostream& m_os;
   std::string m_text;
 };
+
+// after a writer is gone
+inline Status check_stream(const std::ostream& os) { return os ? Status() : Status(ERROR_CANNOT_WRITE_FILE); }
 
 } // namespace internal
 } // namespace Volume_mesh_parameterization

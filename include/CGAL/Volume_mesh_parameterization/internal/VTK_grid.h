@@ -24,7 +24,14 @@ namespace CGAL {
 namespace Volume_mesh_parameterization {
 namespace internal {
 
-enum VTK_cell_type { VTK_VERTEX = 1, VTK_LINE = 3, VTK_POLYLINE = 4, VTK_TRIANGLE = 5, VTK_TETRAHEDRON = 10 };
+enum VTK_cell_type {
+  VTK_VERTEX = 1,
+  VTK_LINE = 3,
+  VTK_POLYLINE = 4,
+  VTK_TRIANGLE = 5,
+  VTK_TETRAHEDRON = 10,
+  VTK_HEXAHEDRON = 12
+};
 
 // An unstructured grid as the files of VTK hold it, not yet checked.
 class VTK_grid {
