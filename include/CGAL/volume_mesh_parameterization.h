@@ -57,6 +57,7 @@
 #include <CGAL/Volume_mesh_parameterization/indices.h>
 #include <CGAL/Volume_mesh_parameterization/irregular_edges.h>
 #include <CGAL/Volume_mesh_parameterization/label_polycube.h>
+#include <CGAL/Volume_mesh_parameterization/make_linear_cell_complex.h>
 #include <CGAL/Volume_mesh_parameterization/make_triangle_soup.h>
 #include <CGAL/Volume_mesh_parameterization/measure_distortion.h>
 #include <CGAL/Volume_mesh_parameterization/measure_floor_distortion.h>
