@@ -12,7 +12,7 @@ using VMP::Status;
 bool Result_folder::has(const char* name) const { return std::filesystem::exists(file(name)); }
 
 Status Result_folder::create(const std::string& input) const {
-  constexpr const char* names[] = {object, order, domain, domain_order, parameter, hexahedra, result, curves, report};
+  constexpr const char* names[] = {object, order, domain, domain_order, parameter, hexahedra, gmsh_hexahedra, abaqus_hexahedra, vtu_hexahedra, result, curves, report};
   std::error_code error;
   for (const char* name : names)
     if (std::filesystem::equivalent(file(name), input, error))

@@ -31,6 +31,9 @@ public:
   static constexpr const char* domain_order = "domain_order.txt"; // its product certificate
   static constexpr const char* parameter = "parameter.mesh";
   static constexpr const char* hexahedra = "hex.mesh";
+  static constexpr const char* gmsh_hexahedra = "hex.msh";
+  static constexpr const char* abaqus_hexahedra = "hex.inp";
+  static constexpr const char* vtu_hexahedra = "hex.vtu";
   static constexpr const char* result = "result.vtu";
   static constexpr const char* curves = "curves.vtp";
   static constexpr const char* report = "report.json";

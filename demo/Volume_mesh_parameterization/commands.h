@@ -38,6 +38,7 @@ struct Hexahedra_options {
   std::optional<std::array<std::size_t, 3>> cells; // along the axes of the prism
   double grading = 1;                              // height of a layer relative to the one below
   bool has_pillow = false;                         // a layer of hexahedra along the boundary
+  std::vector<std::string> formats = {"medit"};    // of files
 
   bool is_wanted() const { return number > 0 || edge > 0 || cells; }
 };

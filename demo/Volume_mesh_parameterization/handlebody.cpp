@@ -85,9 +85,15 @@ void add_hexahedra(CLI::App& command, Hexahedra_options& options) {
   command.add_option("--hex-grading", options.grading, "how many times as high as the layer below each layer of hexahedra is")
       ->check(CLI::Range(1 / greatest_grading, greatest_grading))
       ->capture_default_str();
+  command.add_option("--hex-format", options.formats, "of the files for the hexahedra, separated by commas: medit for hex.mesh, gmsh for hex.msh, abaqus for hex.inp, vtu for hex.vtu")
+      ->type_name("FORMAT,...")
+      ->delimiter(',')
+      ->check(CLI::IsMember({"medit", "gmsh", "abaqus", "vtu"}).description("of {medit,gmsh,abaqus,vtu}"))
+      ->capture_default_str();
   command.add_flag("--pillow", options.has_pillow, "with hexahedra: a layer of them along the boundary, for good corners where it is smooth");
-  command.callback([&options] {
-    if (options.has_pillow && !options.is_wanted()) throw CLI::RequiresError("--pillow", "--hexes");
+  command.callback([&command, &options] {
+    for (const char* option : {"--hex-grading", "--hex-format", "--pillow"})
+      if (command.count(option) > 0 && !options.is_wanted()) throw CLI::RequiresError(option, "--hexes");
   });
 }
 

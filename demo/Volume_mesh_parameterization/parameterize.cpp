@@ -277,7 +277,7 @@ private:
   Status write_hexahedra(const VMP::Prism_3<Kernel>&) {
     VMP::Hexahedron_soup_3<Point_3> hexahedra;
     const Status status = make_hexahedra(m_options.hexahedra, *m_parameterizer, m_linear, m_report, hexahedra);
-    if (status.ok()) return VMP::IO::write_MEDIT(m_folder.file(Result_folder::hexahedra), hexahedra);
+    if (status.ok()) return write_hexahedra_files(m_folder, hexahedra, m_options.hexahedra.formats);
     m_not_certified = status;
     return {};
   }

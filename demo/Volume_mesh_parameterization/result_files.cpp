@@ -1,8 +1,12 @@
 #include "result_files.h"
 
+#include <CGAL/Volume_mesh_parameterization/IO/Abaqus.h>
+#include <CGAL/Volume_mesh_parameterization/IO/Gmsh.h>
+#include <CGAL/Volume_mesh_parameterization/IO/MEDIT.h>
 #include <CGAL/Volume_mesh_parameterization/IO/VTP.h>
 #include <CGAL/Volume_mesh_parameterization/IO/VTU.h>
 #include <CGAL/Volume_mesh_parameterization/hexahedral_mesh.h>
+#include <CGAL/Volume_mesh_parameterization/verify_hexahedra.h>
 
 using VMP::Status;
 
@@ -91,6 +95,15 @@ std::vector<T> padded(std::vector<T> values, std::size_t size) {
   return values;
 }
 
+Status write_hexahedra_file(const Result_folder& folder, const VMP::Hexahedron_soup_3<Point_3>& hexahedra, const std::string& format) {
+  if (format == "gmsh") return VMP::IO::write_Gmsh(folder.file(Result_folder::gmsh_hexahedra), hexahedra);
+  if (format == "abaqus") return VMP::IO::write_Abaqus(folder.file(Result_folder::abaqus_hexahedra), hexahedra);
+  if (format == "vtu")
+    return VMP::IO::write_VTU(folder.file(Result_folder::vtu_hexahedra), hexahedra, {},
+                              {{"scaled_jacobian", VMP::scaled_jacobians(hexahedra)}});
+  return VMP::IO::write_MEDIT(folder.file(Result_folder::hexahedra), hexahedra);
+}
+
 } // namespace
 
 Status write_result(const Result_folder& folder, const Mesh& mesh, const Result_fields& fields, double height,
@@ -117,4 +130,12 @@ Status write_curves(const Result_folder& folder, const VMP::Product_map_3<Kernel
 
 Status write_curves(const Result_folder& folder, const VMP::Product_map_3<Kernel, Given_boundary_map>& map) {
   return write_some_curves(folder, map);
+}
+
+Status write_hexahedra_files(const Result_folder& folder, const VMP::Hexahedron_soup_3<Point_3>& hexahedra,
+                             const std::vector<std::string>& formats) {
+  Status status;
+  for (const std::string& format : formats)
+    if (status.ok()) status = write_hexahedra_file(folder, hexahedra, format);
+  return status;
 }

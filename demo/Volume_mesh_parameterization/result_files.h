@@ -8,6 +8,7 @@
 #include <CGAL/Volume_mesh_parameterization/Boundary_map_3.h>
 #include <CGAL/Volume_mesh_parameterization/Direct_product_parameterizer_3.h>
 #include <CGAL/Volume_mesh_parameterization/Floor_map_2.h>
+#include <CGAL/Volume_mesh_parameterization/Hexahedron_soup_3.h>
 #include <CGAL/Volume_mesh_parameterization/critical_points.h>
 #include <CGAL/Volume_mesh_parameterization/irregular_edges.h>
 
@@ -37,5 +38,9 @@ VMP::Status write_result(const Result_folder& folder, const Mesh& mesh, const Re
 // curves.vtp: some integral curves in M and their images in P.
 VMP::Status write_curves(const Result_folder& folder, const VMP::Product_map_3<Kernel, Prism_floor_map>& map);
 VMP::Status write_curves(const Result_folder& folder, const VMP::Product_map_3<Kernel, Given_boundary_map>& map);
+
+// hex.mesh, hex.msh, hex.inp or hex.vtu for "medit", "gmsh", "abaqus" or "vtu".
+VMP::Status write_hexahedra_files(const Result_folder& folder, const VMP::Hexahedron_soup_3<Point_3>& hexahedra,
+                                  const std::vector<std::string>& formats);
 
 #endif // HANDLEBODY_RESULT_FILES_H
