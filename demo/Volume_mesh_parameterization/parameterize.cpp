@@ -249,12 +249,7 @@ private:
     if (!m_linear.is_valid()) return {};
     const auto locations = m_linear.locations(p.mesh());
     fields.f.clear();
-    for (const auto& l : locations) {
-      double f = 0;
-      for (int i = 0; i < 4; ++i)
-        f += l.barycentric[i] * p.harmonic_function()->values()[p.mesh().vertex(l.cell, i)];
-      fields.f.push_back(f);
-    }
+    for (const auto& l : locations) fields.f.push_back(l.value(p.mesh(), p.harmonic_function()->values()));
     fields.angles.clear();
     for (VMP::Cell_index c : m_linear.origins(p.mesh())) fields.angles.push_back(m_angles[c]);
     return p.product_map()->template images<CGAL::Parallel_if_available_tag>(locations, fields.images);

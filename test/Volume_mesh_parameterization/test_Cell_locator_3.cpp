@@ -9,6 +9,7 @@
 #include <cassert>
 #include <cstdlib>
 #include <limits>
+#include <vector>
 
 namespace VMP = CGAL::Volume_mesh_parameterization;
 using Inexact = CGAL::Exact_predicates_inexact_constructions_kernel;
@@ -22,7 +23,9 @@ class Locator_test {
 
 public:
   Locator_test(Shape shape, bool is_exact)
-      : m_mesh(assigned(shape)), m_locator(m_mesh), m_is_exact(is_exact) {}
+      : m_mesh(assigned(shape)), m_locator(m_mesh), m_is_exact(is_exact) {
+    for (const Point_3& p : m_mesh.points()) m_x.push_back(p.x());
+  }
 
   // In vertices, on edges and facets, inside.
   void test_inside(int points) {
@@ -80,10 +83,13 @@ private:
       assert(at.barycentric[i] >= 0 && (side(at.cell, i, p) != CGAL::ZERO || at.barycentric[i] == 0));
     const Point_3 q = at.point(m_mesh);
     assert(m_is_exact ? p == q : CGAL::squared_distance(p, q) < 1e-28);
+    const FT x = at.value(m_mesh, m_x);
+    assert(m_is_exact ? p.x() == x : CGAL::abs(p.x() - x) < 1e-14);
   }
 
   Mesh m_mesh;
   VMP::Cell_locator_3<Kernel> m_locator;
+  std::vector<FT> m_x; // a linear function at the vertices
   bool m_is_exact;
   Random m_random{3};
 };

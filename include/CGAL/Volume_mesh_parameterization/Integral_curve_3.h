@@ -52,6 +52,17 @@ struct Location_3 {
     }
     return {origin.x() + x / sum, origin.y() + y / sum, origin.z() + z / sum};
   }
+
+  /// returns the value at the point of the function that is linear on each cell and has `values` at the vertices.
+  template <typename Value>
+  FT value(const Compact_tetrahedral_mesh_3<GeomTraits>& mesh, const std::vector<Value>& values) const {
+    FT weighted(0), sum(0);
+    for (int i = 0; i < 4; ++i) {
+      weighted += barycentric[i] * FT(values[mesh.vertex(cell, i)]);
+      sum += barycentric[i];
+    }
+    return weighted / sum;
+  }
 };
 
 /*!
