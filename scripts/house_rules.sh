@@ -90,7 +90,7 @@ package_of() {
   license.h | license/* | config.h | version.h | disable_warnings.h | enable_warnings.h) say Installation ;;
   enum.h | determinant.h | Bbox_*.h | Kernel/* | Kernel_traits.h | Exact_predicates_*.h | Origin.h | representation_tags.h) say Kernel_23 ;;
   Simple_cartesian.h | Cartesian.h) say Cartesian_kernel ;;
-  number_utils.h | number_type_basic.h | Coercion_traits.h) say Algebraic_foundations ;;
+  number_utils.h | number_type_basic.h | Coercion_traits.h | ipower.h) say Algebraic_foundations ;;
   number_type_config.h | Exact_rational.h | Lazy_exact_nt.h | Gmpq.h | Interval_nt.h | FPU.h) say Number_types ;;
   squared_distance_3.h | Distance_3/*) say Distance_3 ;;
   squared_distance_2.h | Distance_2/*) say Distance_2 ;;
