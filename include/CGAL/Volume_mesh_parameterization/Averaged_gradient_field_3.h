@@ -28,20 +28,21 @@ namespace Volume_mesh_parameterization {
 is a curve traced through an `Averaged_gradient_field_3`, and where it ended.
 */
 struct Averaged_gradient_curve_3 {
-  using Point_3 = Simple_cartesian<double>::Point_3;
+  using Point_3 = Simple_cartesian<double>::Point_3; ///< a point of doubles
 
+  /// tells how a curve ends.
   enum End {
     ARRIVED,           ///< at the base that was asked for
     LEFT_THROUGH_WALL, ///< or through the other base
     STUCK              ///< it did not end
   };
 
-  End end = STUCK;
+  End end = STUCK;   ///< where it ended
   Facet_index facet; ///< boundary facet of the end; invalid if stuck
   std::array<double, 3> weights = {0, 0,
                                    0}; ///< of the end in `facet`, in the order of `mesh.vertices(facet)`
   Point_3 point;                       ///< the end
-  double length = 0;
+  double length = 0;                   ///< its length
   std::vector<Point_3> polyline; ///< all steps, if asked for
 };
 
@@ -60,12 +61,15 @@ compare with, see `Product_structure_3` and `Flux_field_3` for better ones.
 template <typename Mesh>
 class Averaged_gradient_field_3 {
 public:
-  using Vector_3 = Simple_cartesian<double>::Vector_3;
-  using Curve = Averaged_gradient_curve_3;
+  using Vector_3 = Simple_cartesian<double>::Vector_3; ///< a vector of doubles
+  using Curve = Averaged_gradient_curve_3;             ///< a curve that is integrated numerically
 
   /// counts how curves ended.
   struct Arrivals {
-    std::size_t arrived = 0, left_through_wall = 0, stuck = 0;
+    std::size_t arrived = 0;           ///< curves that reached the floor or the ceiling
+    std::size_t left_through_wall = 0; ///< curves that left the solid elsewhere
+    std::size_t stuck = 0;             ///< curves that went nowhere
+    /// returns the share that arrived.
     double share() const {
       const std::size_t all = arrived + left_through_wall + stuck;
       return all == 0 ? 1 : double(arrived) / double(all);

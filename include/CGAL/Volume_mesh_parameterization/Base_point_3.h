@@ -26,7 +26,7 @@ is a point of the floor or of the ceiling of a solid.
 */
 template <typename GeomTraits>
 struct Base_point_3 {
-  Facet_index facet;
+  Facet_index facet;                                  ///< a facet of the floor
   std::array<typename GeomTraits::FT, 3> barycentric; ///< weights of the vertices of `facet`, in their order
 };
 

@@ -49,18 +49,19 @@ compare their borders. So the map is one to one.
 template <typename Polycube>
 class Boundary_map_3 {
 public:
-  using Geom_traits = typename Polycube::Geom_traits;
-  using FT = typename Geom_traits::FT;
-  using Point_3 = typename Geom_traits::Point_3;
-  using Mesh = Compact_tetrahedral_mesh_3<Geom_traits>;
-  using Domain = Polycube;
-  using Base_point = Base_point_3<Geom_traits>;
+  using Geom_traits = typename Polycube::Geom_traits;   ///< a model of `VolumeParameterizationTraits_3`
+  using FT = typename Geom_traits::FT;                  ///< the number type
+  using Point_3 = typename Geom_traits::Point_3;        ///< the point type
+  using Mesh = Compact_tetrahedral_mesh_3<Geom_traits>; ///< the type of the solid
+  using Domain = Polycube;                              ///< the polycube
+  using Base_point = Base_point_3<Geom_traits>;         ///< a point of the floor of the solid
 
   /// \param domain has been built; a reference to it is kept
   /// \param images the images of the first vertices of the solid, of all on its boundary at least; those of inner vertices are not used
   Boundary_map_3(const Polycube& domain, std::vector<Point_3> images)
       : m_domain(&domain), m_images(std::move(images)) {}
 
+  /// returns the polycube.
   const Polycube& domain() const { return *m_domain; }
 
   /*!

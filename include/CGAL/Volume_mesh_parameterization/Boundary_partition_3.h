@@ -41,13 +41,14 @@ inline std::string patch_name(int label) {
 counts what belongs to one label.
 */
 struct Boundary_patch_3 {
-  int label = INTERIOR;
-  std::size_t number_of_facets = 0;
-  double area = 0;
+  int label = INTERIOR;                   ///< 1 floor, 2 ceiling, 3 + k wall k
+  std::size_t number_of_facets = 0;       ///< how many triangles it has
+  double area = 0;                        ///< its area
   long euler_number = 0;                  ///< vertices - edges + facets
   std::size_t number_of_border_loops = 0; ///< connected parts of the border
   std::size_t number_of_components = 0;   ///< parts that are connected through edges
 
+  /// returns its name, see `patch_name()`.
   std::string name() const { return patch_name(label); }
 };
 
@@ -194,6 +195,8 @@ std::vector<double> facet_areas(const Facet_adjacency& surface, const Points& po
 \ingroup PkgVolumeMeshParameterizationPartition
 
 summarizes the labels that are stored in `mesh`, in \f$ O(n \log n) \f$.
+
+\tparam GeomTraits a model of `VolumeParameterizationTraits_3`
 */
 template <typename GeomTraits>
 Boundary_partition_3 summarize_partition(const Compact_tetrahedral_mesh_3<GeomTraits>& mesh) {

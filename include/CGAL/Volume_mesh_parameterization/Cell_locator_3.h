@@ -37,14 +37,15 @@ finds the cells of a mesh that points lie in.
 template <typename GeomTraits>
 class Cell_locator_3 {
 public:
-  using Mesh = Compact_tetrahedral_mesh_3<GeomTraits>;
-  using Location = Location_3<GeomTraits>;
-  using FT = typename GeomTraits::FT;
-  using Point_3 = typename GeomTraits::Point_3;
+  using Mesh = Compact_tetrahedral_mesh_3<GeomTraits>; ///< the mesh in which points are located
+  using Location = Location_3<GeomTraits>;             ///< a point of the solid
+  using FT = typename GeomTraits::FT;                  ///< the number type
+  using Point_3 = typename GeomTraits::Point_3;        ///< the point type
 
   /// keeps a reference to `mesh`, which is embedded. Complexity: \f$ O(n \log n) \f$.
   explicit Cell_locator_3(const Mesh& mesh) : m_mesh(&mesh), m_cells(boxes(mesh)) {}
 
+  /// returns the mesh.
   const Mesh& mesh() const { return *m_mesh; }
 
   /*!

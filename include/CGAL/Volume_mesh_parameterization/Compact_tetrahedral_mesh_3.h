@@ -44,17 +44,17 @@ Facet `i` of a cell is the one opposite to its vertex `i`. Cells are positively 
 template <typename GeomTraits>
 class Compact_tetrahedral_mesh_3 {
 public:
-  using Geom_traits = GeomTraits;
-  using FT = typename GeomTraits::FT;
-  using Point_3 = typename GeomTraits::Point_3;
+  using Geom_traits = GeomTraits;               ///< a model of `VolumeParameterizationTraits_3`
+  using FT = typename GeomTraits::FT;           ///< the number type
+  using Point_3 = typename GeomTraits::Point_3; ///< the point type
 
   /// The vertices of the facet opposite to vertex `i`, counterclockwise seen from outside of a positive cell.
   static constexpr int facet_vertices[4][3] = {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}};
   /// The two ends of each of the six edges of a cell.
   static constexpr int edge_vertices[6][2] = {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}};
 
-  using Cell_vertices = std::array<Vertex_index, 4>;
-  using Cell_labels = std::array<int, 4>;
+  using Cell_vertices = std::array<Vertex_index, 4>; ///< the vertices of a cell
+  using Cell_labels = std::array<int, 4>;            ///< the labels of the facets of a cell
   /// An edge, a facet or a cell: two to four vertices, then invalid ones.
   using Simplex = std::array<Vertex_index, 4>;
 
@@ -88,34 +88,49 @@ public:
     return status;
   }
 
+  /// labels a facet of the boundary: 1 floor, 2 ceiling, 3 + k wall k, 0 none.
   void set_label(Facet_index boundary_facet, int label) { m_labels[boundary_facet] = label; }
 
   /// @}
   /// \name Elements
   /// @{
 
+  /// returns the number of vertices.
   std::size_t number_of_vertices() const { return m_points.size(); }
+  /// returns the number of tetrahedra.
   std::size_t number_of_cells() const { return m_cells.size(); }
+  /// returns the number of triangles, those inside included.
   std::size_t number_of_facets() const { return m_half_facets.size(); }
+  /// returns the number of triangles on the boundary.
   std::size_t number_of_boundary_facets() const { return m_labels.size(); }
 
+  /// returns the range of all vertices.
   auto vertices() const { return indices<Vertex_index>(number_of_vertices()); }
+  /// returns the range of all cells.
   auto cells() const { return indices<Cell_index>(number_of_cells()); }
+  /// returns the range of all facets, those of the boundary first.
   auto facets() const { return indices<Facet_index>(number_of_facets()); }
+  /// returns the range of the facets of the boundary.
   auto boundary_facets() const { return indices<Facet_index>(number_of_boundary_facets()); }
 
+  /// returns the position of a vertex.
   const Point_3& point(std::size_t vertex) const { return m_points[vertex]; }
+  /// returns the positions of all vertices.
   const std::vector<Point_3>& points() const { return m_points; }
   /// returns the simplices that refinement has split. Their barycentres are the last vertices, in the same order.
   const std::vector<Simplex>& split_simplices() const { return m_split_simplices; }
+  /// returns the vertices of a cell.
   const Cell_vertices& cell(std::size_t c) const { return m_cells[c]; }
+  /// returns vertex `i` of `c`.
   Vertex_index vertex(Cell_index c, int i) const { return m_cells[c][i]; }
+  /// returns the facet of `c` opposite to its vertex `i`.
   Facet_index facet(Cell_index c, int i) const { return m_cell_facets[c][i]; }
 
   /// @}
   /// \name Adjacency
   /// @{
 
+  /// returns whether `f` is a facet of one cell only.
   bool is_boundary(Facet_index f) const { return f < m_labels.size(); }
 
   /// returns the facet `f` seen from one of its cells; `side` 1 exists for interior facets only.
@@ -127,10 +142,12 @@ public:
     return unpack(sides[0] == pack(h) ? sides[1] : sides[0]);
   }
 
+  /// returns the cell behind facet `i` of `c`, an invalid one on the boundary.
   Cell_index neighbor(Cell_index c, int i) const { return opposite({c, i}).cell; }
 
   /// returns the vertices of `f`, counterclockwise seen from outside of the cell of `half_facet(f)`.
   std::array<Vertex_index, 3> vertices(Facet_index f) const { return vertices(half_facet(f)); }
+  /// returns the vertices of the facet, counterclockwise seen from outside of the cell of `h`.
   std::array<Vertex_index, 3> vertices(Half_facet h) const {
     const int* v = facet_vertices[h.index];
     return {m_cells[h.cell][v[0]], m_cells[h.cell][v[1]], m_cells[h.cell][v[2]]};
@@ -149,6 +166,7 @@ public:
 
   /// returns the label of a facet, `INTERIOR` if it is not on the boundary.
   int label(Facet_index f) const { return is_boundary(f) ? m_labels[f] : int(INTERIOR); }
+  /// returns the label of facet `i` of `c`.
   int label(Cell_index c, int i) const { return label(facet(c, i)); }
 
   /// returns a range of `Labelled_facet`, one for each boundary facet.
@@ -268,6 +286,8 @@ private:
 \ingroup PkgVolumeMeshParameterizationMesh
 
 returns `mesh` as a soup with the label of every boundary facet.
+
+\tparam GeomTraits a model of `VolumeParameterizationTraits_3`
 */
 template <typename GeomTraits>
 Tetrahedron_soup_3<typename GeomTraits::Point_3> make_soup(const Compact_tetrahedral_mesh_3<GeomTraits>& mesh) {

@@ -51,12 +51,13 @@ the level function: the rates say how coordinates change while the level grows b
 template <typename GeomTraits>
 class Curve_field_3 {
 public:
-  using Mesh = Compact_tetrahedral_mesh_3<GeomTraits>;
-  using FT = typename GeomTraits::FT;
-  using Rates = std::array<FT, 4>;
-  using Vector_3 = internal::Double_kernel::Vector_3;
+  using Mesh = Compact_tetrahedral_mesh_3<GeomTraits>; ///< the mesh that it belongs to
+  using FT = typename GeomTraits::FT;                  ///< the number type
+  using Rates =
+      std::array<FT, 4>; ///< how fast the barycentric coordinates change along a curve; their sum is 0
+  using Vector_3 = internal::Double_kernel::Vector_3; ///< a vector of doubles
 
-  static constexpr double default_least_slope = 0.02;
+  static constexpr double default_least_slope = 0.02; ///< of `build()`
 
   Curve_field_3() = default;
 
@@ -98,6 +99,7 @@ public:
     }
   }
 
+  /// returns the rates in `c`.
   const Rates& rates(Cell_index c) const { return m_rates[c]; }
 
   /// returns +1 if curves enter `c` through facet `i`, -1 if they leave there, 0 if they are parallel to it.

@@ -42,6 +42,7 @@ public:
   /// is a bound against systems that are not positive definite: a million cells need about two thousand.
   static constexpr int maximal_number_of_iterations = 20000;
 
+  /// sets the tolerance, a relative residual.
   Conjugate_gradient_traits_3() {
     this->solver().setTolerance(tolerance);
     this->solver().setMaxIterations(maximal_number_of_iterations);

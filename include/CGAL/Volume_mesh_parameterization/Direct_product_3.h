@@ -48,14 +48,14 @@ can be used even if a later stage fails.
 template <typename GeomTraits, typename Solver = Default_solver_traits_3>
 class Direct_product_3 {
 public:
-  using Mesh = Compact_tetrahedral_mesh_3<GeomTraits>;
-  using Point_3 = typename GeomTraits::Point_3;
-  using Harmonic_function = Harmonic_function_3<Mesh, Solver>;
-  using Dual_potential = Dual_potential_3<Mesh, Solver>;
-  using Flux_field = Flux_field_3<Mesh, Solver>;
-  using Product_structure = Product_structure_3<GeomTraits>;
-  using Curve_field = Curve_field_3<GeomTraits>;
-  using Curves = Integral_curves_3<GeomTraits>;
+  using Mesh = Compact_tetrahedral_mesh_3<GeomTraits>;         ///< the type of the solid
+  using Point_3 = typename GeomTraits::Point_3;                ///< the point type
+  using Harmonic_function = Harmonic_function_3<Mesh, Solver>; ///< the levels of vertices
+  using Dual_potential = Dual_potential_3<Mesh, Solver>;       ///< what guides the sweep
+  using Flux_field = Flux_field_3<Mesh, Solver>;               ///< what the curves are to follow
+  using Product_structure = Product_structure_3<GeomTraits>;   ///< the order of the sweep
+  using Curve_field = Curve_field_3<GeomTraits>;               ///< the direction of the curve in each cell
+  using Curves = Integral_curves_3<GeomTraits>;                ///< the curves
 
   Direct_product_3() = default;
   // The stages refer to each other.
@@ -86,14 +86,23 @@ public:
 
   /// The mesh that all the others refer to: the input with the splits of `prepare_patches()`.
   const Mesh& mesh() const { return m_mesh; }
+  /// returns the patches of the boundary.
   const Boundary_partition_3& partition() const { return m_partition; }
+  /// returns what was split before the sweep.
   const Preparation& preparation() const { return m_preparation; }
+  /// returns the collapse of the solid to a graph, and the words of its edges.
   const Handlebody_certificate& handlebody_certificate() const { return m_certificate; }
+  /// returns the function that is 0 on the floor and 1 on the ceiling.
   const Harmonic_function* harmonic_function() const { return pointer(m_harmonic_function); }
+  /// returns the potential that guides the sweep.
   const Dual_potential* dual_potential() const { return pointer(m_dual_potential); }
+  /// returns the flux, one vector for each cell.
   const Flux_field* flux_field() const { return pointer(m_flux_field); }
+  /// returns what the sweep took.
   const Sweep_report& sweep_report() const { return m_sweep_report; }
+  /// returns the order of the sweep, which is the certificate.
   const Product_structure* product_structure() const { return pointer(m_structure); }
+  /// returns the direction of the curve in each cell.
   const Curve_field* curve_field() const { return pointer(m_curve_field); }
 
   /// @}

@@ -40,9 +40,9 @@ class Direct_product_parameterizer_3 : public Direct_product_3<GeomTraits, Solve
   using Base = Direct_product_3<GeomTraits, Solver>;
 
 public:
-  using Point_3 = typename GeomTraits::Point_3;
-  using Floor_map = FloorMap;
-  using Product_map = Product_map_3<GeomTraits, FloorMap>;
+  using Point_3 = typename GeomTraits::Point_3;            ///< the point type
+  using Floor_map = FloorMap;                              ///< a model of `VolumeFloorMap_3`
+  using Product_map = Product_map_3<GeomTraits, FloorMap>; ///< the map and its inverse
 
   Direct_product_parameterizer_3() = default;
   /// \param floor_map what is to map the floor; a `Boundary_map_3` knows the polycube and the images of the boundary
@@ -88,7 +88,9 @@ public:
   /// Pointers are null, and vectors empty, if their stage was not reached or failed.
   /// @{
 
+  /// returns the map of the floor; its function `domain()` returns what the solid is mapped to.
   const Floor_map* floor_map() const { return m_product_map ? &m_floor_map : nullptr; }
+  /// returns the map of the solid, and its inverse.
   const Product_map* product_map() const { return Base::pointer(m_product_map); }
   /// The images of all vertices of `mesh()` in the domain.
   const std::vector<Point_3>& vertex_images() const { return m_vertex_images; }

@@ -36,6 +36,7 @@ approximates the harmonic function only roughly, but it is the best guide of the
 template <typename Mesh, typename Solver = Default_solver_traits_3>
 class Dual_potential_3 {
 public:
+  /// keeps a reference to the mesh.
   explicit Dual_potential_3(const Mesh& mesh) : m_mesh(&mesh) {}
 
   /// computes the values.
@@ -54,6 +55,7 @@ public:
     return {};
   }
 
+  /// returns the value in a cell.
   double operator()(Cell_index c) const { return m_values[c]; }
 
   /// returns the values, one for each cell.

@@ -133,8 +133,11 @@ public:
   /// constructs the status `code`; `detail` names the element and the violated condition.
   Status(Error_code code, std::string detail = {}) : m_code(code), m_detail(std::move(detail)) {}
 
+  /// returns whether the stage is done.
   bool ok() const { return m_code == OK; }
+  /// returns the code.
   Error_code code() const { return m_code; }
+  /// returns which element is at fault and the like.
   const std::string& detail() const { return m_detail; }
 
   /// returns the sentence for the code, followed by the detail.

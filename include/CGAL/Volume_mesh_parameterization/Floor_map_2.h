@@ -55,12 +55,12 @@ preserves orientation. With an exact number type `image()` and `preimage()` are 
 template <typename GeomTraits>
 class Floor_map_2 {
 public:
-  using Geom_traits = GeomTraits;
-  using FT = typename GeomTraits::FT;
-  using Point_2 = typename GeomTraits::Point_2;
-  using Mesh = Compact_tetrahedral_mesh_3<GeomTraits>;
-  using Domain = Prism_3<GeomTraits>;
-  using Triangle = std::array<std::uint32_t, 3>;
+  using Geom_traits = GeomTraits;                      ///< a model of `VolumeParameterizationTraits_3`
+  using FT = typename GeomTraits::FT;                  ///< the number type
+  using Point_2 = typename GeomTraits::Point_2;        ///< the point type of the plane
+  using Mesh = Compact_tetrahedral_mesh_3<GeomTraits>; ///< the type of the solid
+  using Domain = Prism_3<GeomTraits>;                  ///< a model of `ParameterDomain_3`
+  using Triangle = std::array<std::uint32_t, 3>;       ///< three vertex numbers
 
   /// \name Construction
   /// @{
@@ -125,9 +125,12 @@ public:
   /// \name Access
   /// @{
 
+  /// returns the prism.
   const Domain& domain() const { return m_domain; }
 
+  /// returns the number of vertices of the floor, those of its refinement included.
   std::size_t number_of_vertices() const { return m_images.size(); }
+  /// returns the number of triangles of the floor, those of its refinement included.
   std::size_t number_of_triangles() const { return m_surface.number_of_triangles(); }
   /// returns the vertices of triangle `t` of the refined floor, counterclockwise in the plane.
   const Triangle& triangle(std::size_t t) const { return m_surface.triangles()[t]; }
@@ -166,6 +169,7 @@ public:
     return combine(internal::weights_in<GeomTraits>(corners(*part), p),
                    {m_images[t[0]], m_images[t[1]], m_images[t[2]]});
   }
+  /// returns the image of a point of the floor.
   Point_2 image(const Base_point_3<GeomTraits>& p) const { return image(p.facet, p.barycentric); }
 
   /// finds the point of the floor with image `p` in about constant time. If `p` is on a side of the domain, then

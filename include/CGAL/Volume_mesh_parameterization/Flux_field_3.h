@@ -44,12 +44,13 @@ harmonic function is flat the signs of its fluxes are noise. See `Product_struct
 template <typename Mesh, typename Solver = Default_solver_traits_3>
 class Flux_field_3 {
 public:
-  using Vector_3 = Simple_cartesian<double>::Vector_3;
+  using Vector_3 = Simple_cartesian<double>::Vector_3; ///< a vector of doubles
 
   /// is the flux per area, relative to the largest one, below which a flux is taken for noise of the solver and set
   /// to 0, 2^-40: else a facet parallel to the field would get a random sign, and its two cells could form a cycle.
   static constexpr double flux_noise = 1. / (1ull << 40);
 
+  /// keeps a reference to the mesh.
   explicit Flux_field_3(const Mesh& mesh) : m_mesh(&mesh) {}
 
   /// computes the fluxes.

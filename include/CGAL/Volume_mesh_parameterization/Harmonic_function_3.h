@@ -35,11 +35,12 @@ linear in each cell, one value per vertex (step 2 of Xia et al. 2010).
 template <typename Mesh, typename Solver = Default_solver_traits_3>
 class Harmonic_function_3 {
 public:
-  using Vector_3 = Simple_cartesian<double>::Vector_3;
+  using Vector_3 = Simple_cartesian<double>::Vector_3; ///< a vector of doubles
 
   /// is how far a value may leave [0, 1] by the rounding errors of the solver alone.
   static constexpr double solver_noise = 1e-12;
 
+  /// keeps a reference to the mesh.
   explicit Harmonic_function_3(const Mesh& mesh) : m_mesh(&mesh) {}
 
   /// computes the values.
@@ -58,6 +59,7 @@ public:
     return {};
   }
 
+  /// returns the value at a vertex.
   double operator()(Vertex_index v) const { return m_values[v]; }
 
   /// returns the values, one for each vertex.

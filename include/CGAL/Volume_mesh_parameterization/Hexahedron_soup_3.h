@@ -24,7 +24,7 @@ is a quadrilateral of the boundary of a hexahedral mesh with its label.
 */
 struct Labelled_quadrilateral {
   std::array<std::size_t, 4> vertices; ///< numbers of the four vertices, around the quadrilateral
-  int label = 0;
+  int label = 0;                       ///< 1 floor, 2 ceiling, 3 + k wall k, 0 none
 };
 
 /*!
@@ -36,9 +36,9 @@ is a hexahedral mesh as lists of points, of octuples of points and of labelled q
 */
 template <typename Point>
 struct Hexahedron_soup_3 {
-  using Point_3 = Point;
+  using Point_3 = Point; ///< the point type
 
-  std::vector<Point> points;
+  std::vector<Point> points; ///< the vertices
   /// Vertex numbers in the order of MEDIT and VTK: around one quadrilateral, then around the opposite one, which lies
   /// on the side to which the first one turns counterclockwise.
   std::vector<std::array<std::size_t, 8>> hexahedra;

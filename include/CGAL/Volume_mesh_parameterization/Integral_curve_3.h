@@ -29,12 +29,15 @@ namespace Volume_mesh_parameterization {
 
 is a point of a tetrahedral mesh: a cell that contains it and its barycentric coordinates there. A coordinate that is
 exactly zero says that the point lies on the opposite facet; tracing keeps such zeros.
+
+\tparam GeomTraits a model of `VolumeParameterizationTraits_3`
 */
 template <typename GeomTraits>
 struct Location_3 {
-  using FT = typename GeomTraits::FT;
+  using FT = typename GeomTraits::FT; ///< the number type
 
-  Cell_index cell;
+  Cell_index cell; ///< a cell
+  /// coordinates in the cell, one for each vertex, which are not negative and whose sum is 1
   std::array<FT, 4> barycentric;
 
   /// returns the point in space. A coordinate that all vertices of non-zero weight share is kept exactly: so points of a
@@ -69,19 +72,23 @@ struct Location_3 {
 \ingroup PkgVolumeMeshParameterizationStructure
 
 is an integral curve from the floor to the ceiling, as the segments that it has in the cells.
+
+\tparam GeomTraits a model of `VolumeParameterizationTraits_3`
 */
 template <typename GeomTraits>
 class Integral_curve_3 {
 public:
-  using FT = typename GeomTraits::FT;
-  using Location = Location_3<GeomTraits>;
+  using FT = typename GeomTraits::FT;      ///< the number type
+  using Location = Location_3<GeomTraits>; ///< a point of the solid
 
-  /// A straight piece in one cell; `level` is what the level function has gained at its end since the floor.
+  /// is a straight piece in one cell.
   struct Segment {
-    Location begin, end;
-    FT level;
+    Location begin; ///< where it enters the cell
+    Location end;   ///< where it leaves it
+    FT level;       ///< what the level function has gained at the end since the floor
   };
 
+  /// returns what it passes, cell by cell.
   const std::vector<Segment>& segments() const { return m_segments; }
 
   /// returns what the level function gains from the floor to the ceiling.
@@ -102,6 +109,7 @@ public:
     return result;
   }
 
+  /// appends a segment along which the level changes by `gain`.
   void append(const Location& begin, const Location& end, const FT& gain) {
     m_segments.push_back({begin, end, total_level() + gain});
   }
@@ -111,6 +119,7 @@ private:
 };
 
 /// \ingroup PkgVolumeMeshParameterizationStructure
+/// tells towards which base a curve is followed.
 enum Curve_direction {
   DOWN = 1, ///< towards the floor
   UP = -1   ///< towards the ceiling
@@ -131,20 +140,24 @@ to a cell swept earlier (later, upwards), so a curve always arrives and passes n
 template <typename GeomTraits>
 class Integral_curves_3 {
 public:
-  using Mesh = Compact_tetrahedral_mesh_3<GeomTraits>;
-  using Field = Curve_field_3<GeomTraits>;
-  using Location = Location_3<GeomTraits>;
-  using Base_point = Base_point_3<GeomTraits>;
-  using FT = typename GeomTraits::FT;
+  using Mesh = Compact_tetrahedral_mesh_3<GeomTraits>; ///< the type of the solid
+  using Field = Curve_field_3<GeomTraits>;             ///< the direction of the curve in each cell
+  using Location = Location_3<GeomTraits>;             ///< a point of the solid
+  using Base_point = Base_point_3<GeomTraits>;         ///< a point of the floor of the solid
+  using FT = typename GeomTraits::FT;                  ///< the number type
 
   /// keeps references to both arguments.
   Integral_curves_3(const Mesh& mesh, const Field& field) : m_mesh(&mesh), m_field(&field) {}
 
+  /// returns the solid.
   const Mesh& mesh() const { return *m_mesh; }
+  /// returns the directions.
   const Field& field() const { return *m_field; }
 
   /// \name Locations
   /// @{
+
+  /// returns the location of a point on floor or ceiling.
   Location locate(Base_point p) const {
     const Half_facet h = m_mesh->half_facet(p.facet);
     Location at{h.cell, {FT(0), FT(0), FT(0), FT(0)}};
@@ -152,6 +165,7 @@ public:
     return at;
   }
 
+  /// returns the point of floor or ceiling at a location.
   /// \pre `at` lies on facet `h` of its cell, a facet of floor or ceiling
   Base_point base_point(const Location& at, Half_facet h) const {
     const int* v = Mesh::facet_vertices[h.index];
@@ -196,6 +210,7 @@ public:
     return lost(at, "is passed twice");
   }
 
+  /// moves `at` as the function above, without reporting segments.
   Status trace(Location& at, Curve_direction direction, const FT& duration, Half_facet& arrival, FT& elapsed) const {
     return trace(at, direction, duration, arrival, elapsed, [](const Location&, const Location&, const FT&) {});
   }

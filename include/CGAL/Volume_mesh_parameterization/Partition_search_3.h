@@ -51,7 +51,7 @@ struct Partition_options {
   /// from the floor to the ceiling, of any length; if there are none, that of the labels to be mended, or
   /// `propose_directions()`
   std::vector<Sweep_direction_3> directions = {};
-  Given_labels given_labels = IGNORE_LABELS;
+  Given_labels given_labels = IGNORE_LABELS; ///< what labels of the input are for
   /// no further direction is tried as soon as there are so many partitions, of which the best is taken
   std::size_t number_of_candidates = 4;
   /// the width of walls on smooth surfaces, as a share of the way from the middle of the floor to that of the ceiling
@@ -84,10 +84,10 @@ inline const char* method_name(Partition_method method) {
 describes a partition that was found.
 */
 struct Partition_candidate_3 {
-  Partition_method method = BY_CREASES;
-  Sweep_direction_3 direction;
-  Boundary_partition_3 partition;
-  Partition_quality quality;
+  Partition_method method = BY_CREASES; ///< how it was made
+  Sweep_direction_3 direction;          ///< from the floor to the ceiling
+  Boundary_partition_3 partition;       ///< its patches
+  Partition_quality quality;            ///< what was measured
   double cost = 0; ///< of `quality`, infinite if the trial failed; the least is the best
 };
 
@@ -106,7 +106,7 @@ measured, also by a trial: the harmonic function between floor and ceiling, on t
 template <typename GeomTraits>
 class Partition_search_3 {
 public:
-  using Mesh = Compact_tetrahedral_mesh_3<GeomTraits>;
+  using Mesh = Compact_tetrahedral_mesh_3<GeomTraits>; ///< the type of the solid
 
   /// \name Search
   /// @{

@@ -31,11 +31,11 @@ takes points of a domain back to the solid by a piecewise linear bijection.
 template <typename GeomTraits>
 class Piecewise_linear_inverse_3 {
 public:
-  using Map = Piecewise_linear_map_3<GeomTraits>;
-  using Mesh = Compact_tetrahedral_mesh_3<GeomTraits>;
-  using Location = Location_3<GeomTraits>;
-  using Point_2 = typename GeomTraits::Point_2;
-  using Point_3 = typename GeomTraits::Point_3;
+  using Map = Piecewise_linear_map_3<GeomTraits>;      ///< the map that is inverted
+  using Mesh = Compact_tetrahedral_mesh_3<GeomTraits>; ///< the type of the refined solid
+  using Location = Location_3<GeomTraits>;             ///< a point of the solid
+  using Point_2 = typename GeomTraits::Point_2;        ///< the point type of the plane
+  using Point_3 = typename GeomTraits::Point_3;        ///< the point type
 
   Piecewise_linear_inverse_3() = default;
   Piecewise_linear_inverse_3(const Piecewise_linear_inverse_3&) = delete;

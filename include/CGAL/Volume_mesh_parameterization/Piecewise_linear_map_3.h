@@ -39,8 +39,8 @@ The refined mesh has a sweep order too: bisecting an edge keeps an order legal.
 template <typename GeomTraits>
 class Piecewise_linear_map_3 {
 public:
-  using Mesh = Compact_tetrahedral_mesh_3<GeomTraits>;
-  using Point_3 = typename GeomTraits::Point_3;
+  using Mesh = Compact_tetrahedral_mesh_3<GeomTraits>; ///< the type of the refined solid
+  using Point_3 = typename GeomTraits::Point_3;        ///< the point type
 
   /*!
   computes the map.
@@ -89,6 +89,7 @@ public:
   const std::vector<Cell_index>& order() const { return m_order; }
   /// returns the images of the vertices of `mesh()`.
   const std::vector<Point_3>& images() const { return m_images; }
+  /// returns what it took, even if there is no map.
   const Untangling_report& report() const { return m_report; }
 
   /// returns the place of each vertex of `mesh()` in the mesh that it was made of.
@@ -163,6 +164,8 @@ improved on the way, and the planes of a prism with it, so that both maps have t
 
 \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`
 \tparam Parameterizer an instance of `Direct_product_parameterizer_3`
+\tparam GeomTraits a model of `VolumeParameterizationTraits_3`
+\tparam NamedParameters a sequence of named parameters
 \param solid has been parameterized with success
 \param result receives the map
 \param np an optional sequence of named parameters: `visitor` of `parameterize()`

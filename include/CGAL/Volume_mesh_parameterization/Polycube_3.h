@@ -38,11 +38,11 @@ comes from, and its share of the level that the curve gains.
 template <typename GeomTraits, typename Solver = Default_solver_traits_3>
 class Polycube_3 {
 public:
-  using Geom_traits = GeomTraits;
-  using FT = typename GeomTraits::FT;
-  using Point_3 = typename GeomTraits::Point_3;
-  using Floor_point = Base_point_3<GeomTraits>;
-  using Direct_product = Direct_product_3<GeomTraits, Solver>;
+  using Geom_traits = GeomTraits;               ///< a model of `VolumeParameterizationTraits_3`
+  using FT = typename GeomTraits::FT;           ///< the number type
+  using Point_3 = typename GeomTraits::Point_3; ///< the point type
+  using Floor_point = Base_point_3<GeomTraits>; ///< a point of the floor of the domain
+  using Direct_product = Direct_product_3<GeomTraits, Solver>; ///< the type of the swept polycube
 
   /*!
   builds the product structure. The object may be used once.
@@ -62,8 +62,10 @@ public:
     return status;
   }
 
+  /// returns whether `build()` has succeeded.
   bool is_valid() const { return m_locator.has_value(); }
 
+  /// returns the swept polycube.
   const Direct_product& product() const { return m_product; }
   /// returns the polycube with the splits that the sweep needed.
   const Compact_tetrahedral_mesh_3<GeomTraits>& mesh() const { return m_product.mesh(); }

@@ -25,10 +25,10 @@ is a surface of planar polygons as lists of points and of vertex numbers: what f
 */
 template <typename Point>
 struct Polygon_soup_3 {
-  using Point_3 = Point;
+  using Point_3 = Point; ///< the point type
 
-  std::vector<Point> points;
-  std::vector<std::vector<std::size_t>> polygons;
+  std::vector<Point> points;                      ///< the vertices
+  std::vector<std::vector<std::size_t>> polygons; ///< vertex numbers, in order around each polygon
   std::vector<int> labels; ///< one for each polygon, or empty
 };
 

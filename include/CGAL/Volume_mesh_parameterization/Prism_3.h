@@ -30,22 +30,31 @@ namespace Volume_mesh_parameterization {
 is the rectangle [`xmin`, `xmax`] × [`ymin`, `ymax`].
 */
 struct Rectangle_2 {
-  double xmin = 0, ymin = 0, xmax = 0, ymax = 0;
+  double xmin = 0; ///< lower bound in x
+  double ymin = 0; ///< lower bound in y
+  double xmax = 0; ///< upper bound in x
+  double ymax = 0; ///< upper bound in y
 
+  /// returns the extent in x.
   double width() const { return xmax - xmin; }
+  /// returns the extent in y.
   double height() const { return ymax - ymin; }
+  /// returns the area.
   double area() const { return width() * height(); }
   /// returns `xmin` or `ymin`, for axis 0 or 1.
   double& low(int axis) { return axis == 0 ? xmin : ymin; }
+  /// returns the lower bound in x for axis 0, in y for axis 1.
   double low(int axis) const { return axis == 0 ? xmin : ymin; }
   /// returns `xmax` or `ymax`, for axis 0 or 1.
   double& high(int axis) { return axis == 0 ? xmax : ymax; }
+  /// returns the upper bound in x for axis 0, in y for axis 1.
   double high(int axis) const { return axis == 0 ? xmax : ymax; }
   /// returns the corners counterclockwise, that of least coordinates first.
   std::array<std::array<double, 2>, 4> corners() const {
     return {{{xmin, ymin}, {xmax, ymin}, {xmax, ymax}, {xmin, ymax}}};
   }
 
+  /// compares all bounds.
   bool operator==(const Rectangle_2& r) const { return corners() == r.corners(); }
 
   /// returns whether the rectangles share a point.
@@ -77,11 +86,11 @@ Each rim of the base, number 0 the outer one and number 1 + k that of hole k, ca
 template <typename GeomTraits>
 class Prism_3 {
 public:
-  using Geom_traits = GeomTraits;
-  using FT = typename GeomTraits::FT;
-  using Point_2 = typename GeomTraits::Point_2;
-  using Point_3 = typename GeomTraits::Point_3;
-  using Floor_point = Point_2;
+  using Geom_traits = GeomTraits;               ///< a model of `VolumeParameterizationTraits_3`
+  using FT = typename GeomTraits::FT;           ///< the number type
+  using Point_2 = typename GeomTraits::Point_2; ///< the point type of the plane
+  using Point_3 = typename GeomTraits::Point_3; ///< the point type
+  using Floor_point = Point_2;                  ///< a point of the floor of the domain
 
   Prism_3() = default;
 
@@ -105,20 +114,29 @@ public:
     return true;
   }
 
+  /// returns one more than the number of holes.
   std::size_t number_of_rims() const { return m_rims.size(); }
+  /// returns the number of holes.
   std::size_t number_of_holes() const { return m_rims.size() - 1; }
+  /// returns the outer rectangle for 0, that of hole k for k + 1.
   const Rectangle_2& rim(std::size_t r) const { return m_rims[r]; }
+  /// returns the outer rectangle.
   const Rectangle_2& outer() const { return m_rims[0]; }
+  /// returns the rectangle of hole `k`.
   const Rectangle_2& hole(std::size_t k) const { return m_rims[k + 1]; }
+  /// returns the distance of floor and ceiling.
   double height() const { return m_height; }
 
+  /// returns the area of the floor, that is without holes.
   double base_area() const {
     double area = outer().area();
     for (std::size_t k = 0; k < number_of_holes(); ++k) area -= hole(k).area();
     return area;
   }
 
+  /// returns the label of the wall over a rim.
   int wall_label(std::size_t rim) const { return m_wall_labels[rim]; }
+  /// labels the wall over a rim.
   void set_wall_label(std::size_t rim, int label) { m_wall_labels[rim] = label; }
 
   /// returns the corners of the base, four for each rim.

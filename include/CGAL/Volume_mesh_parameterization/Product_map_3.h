@@ -39,21 +39,24 @@ both directions are exact, and \f$ \varphi^{-1}(\varphi(p)) = p \f$.
 template <typename GeomTraits, typename FloorMap = Floor_map_2<GeomTraits>>
 class Product_map_3 {
 public:
-  using Curves = Integral_curves_3<GeomTraits>;
-  using Floor_map = FloorMap;
-  using Domain = typename FloorMap::Domain;
-  using Floor_point = typename Domain::Floor_point;
-  using Location = Location_3<GeomTraits>;
-  using Base_point = Base_point_3<GeomTraits>;
-  using FT = typename GeomTraits::FT;
-  using Point_3 = typename GeomTraits::Point_3;
+  using Curves = Integral_curves_3<GeomTraits>;     ///< the curves of the solid
+  using Floor_map = FloorMap;                       ///< a model of `VolumeFloorMap_3`
+  using Domain = typename FloorMap::Domain;         ///< a model of `ParameterDomain_3`
+  using Floor_point = typename Domain::Floor_point; ///< a point of the floor of the domain
+  using Location = Location_3<GeomTraits>;          ///< a point of the solid
+  using Base_point = Base_point_3<GeomTraits>;      ///< a point of the floor of the solid
+  using FT = typename GeomTraits::FT;               ///< the number type
+  using Point_3 = typename GeomTraits::Point_3;     ///< the point type
 
   /// keeps references to what the arguments refer to, and to `floor_map`.
   Product_map_3(const Curves& curves, const Floor_map& floor_map)
       : m_curves(curves), m_floor_map(&floor_map) {}
 
+  /// returns the curves of the solid.
   const Curves& curves() const { return m_curves; }
+  /// returns the map of the floor.
   const Floor_map& floor_map() const { return *m_floor_map; }
+  /// returns what the solid is mapped to.
   const Domain& domain() const { return m_floor_map->domain(); }
 
   /// computes \f$ \varphi(p) \f$.

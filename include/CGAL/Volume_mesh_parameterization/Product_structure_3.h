@@ -39,7 +39,7 @@ facets, can neither stop, nor return, nor leave through a wall.
 template <typename GeomTraits>
 class Product_structure_3 {
 public:
-  using Mesh = Compact_tetrahedral_mesh_3<GeomTraits>;
+  using Mesh = Compact_tetrahedral_mesh_3<GeomTraits>; ///< the mesh that is swept
 
   Product_structure_3() = default;
 
@@ -77,6 +77,8 @@ private:
 \ingroup PkgVolumeMeshParameterizationStructure
 
 sweeps the cells of `mesh` from the floor. See `sweep_with_repairs()` for what to do if that stops.
+
+\tparam GeomTraits a model of `VolumeParameterizationTraits_3`
 
 \param mesh a mesh with a legal partition, prepared by `prepare_patches()`
 \param guide the order to prefer: see `Dual_potential_3` for its potential and `Flux_field_3` for its signs

@@ -25,6 +25,7 @@ tells a sweep in which order to take the cells, as far as the rules leave a choi
 */
 struct Sweep_guide_3 {
   Sweep_guide_3() = default;
+  /// takes one potential for each cell and, if there are any, the signs of the flux through its four facets.
   Sweep_guide_3(std::vector<double> potential, std::vector<std::array<std::int8_t, 4>> signs = {})
       : potential(std::move(potential)), signs(std::move(signs)) {}
 

@@ -24,9 +24,11 @@ is a triangle of the boundary of a tetrahedral mesh with its label: 1 floor, 2 c
 */
 struct Labelled_facet {
   std::array<std::size_t, 3> vertices; ///< numbers of the three vertices, in any order
-  int label = 0;
+  int label = 0;                       ///< 1 floor, 2 ceiling, 3 + k wall k, 0 none
 };
 
+/// \ingroup PkgVolumeMeshParameterizationMesh
+/// names the labels of the boundary.
 enum Boundary_label {
   INTERIOR = 0, ///< no boundary facet, or one without label
   FLOOR = 1,
@@ -45,16 +47,21 @@ is a tetrahedral mesh as lists of points, of quadruples of points and of labelle
 */
 template <typename Point>
 struct Tetrahedron_soup_3 {
-  using Point_3 = Point;
+  using Point_3 = Point; ///< the point type
 
-  std::vector<Point> points;
+  std::vector<Point> points;                     ///< the vertices
   std::vector<std::array<std::size_t, 4>> cells; ///< vertex numbers; the four points are positively oriented
   std::vector<Labelled_facet> facets;            ///< labelled boundary triangles; may be empty
 
+  /// returns the number of points.
   std::size_t number_of_vertices() const { return points.size(); }
+  /// returns the number of tetrahedra.
   std::size_t number_of_cells() const { return cells.size(); }
+  /// returns a point.
   const Point& point(std::size_t vertex) const { return points[vertex]; }
+  /// returns the vertices of a tetrahedron.
   const std::array<std::size_t, 4>& cell(std::size_t c) const { return cells[c]; }
+  /// returns `facets`.
   const std::vector<Labelled_facet>& labelled_facets() const { return facets; }
 };
 

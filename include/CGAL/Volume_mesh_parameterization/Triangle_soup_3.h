@@ -26,10 +26,10 @@ is a triangle surface as lists of points and of triples of points: what files ho
 */
 template <typename Point>
 struct Triangle_soup_3 {
-  using Point_3 = Point;
+  using Point_3 = Point; ///< the point type
 
-  std::vector<Point> points;
-  std::vector<std::array<std::size_t, 3>> triangles;
+  std::vector<Point> points;                         ///< the vertices
+  std::vector<std::array<std::size_t, 3>> triangles; ///< three vertex numbers each
   std::vector<int> labels; ///< one for each triangle, or empty
 };
 

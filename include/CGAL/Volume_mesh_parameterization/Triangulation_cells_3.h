@@ -37,11 +37,11 @@ number.
 template <typename Triangulation>
 class Triangulation_cells_3 {
 public:
-  using Vertex_handle = typename Triangulation::Vertex_handle;
-  using Cell_handle = typename Triangulation::Cell_handle;
-  using Facet = typename Triangulation::Facet;
-  using Point_3 = typename Triangulation::Geom_traits::Point_3;
-  using Cell_vertices = std::array<std::size_t, 4>;
+  using Vertex_handle = typename Triangulation::Vertex_handle;  ///< of the triangulation
+  using Cell_handle = typename Triangulation::Cell_handle;      ///< of the triangulation
+  using Facet = typename Triangulation::Facet;                  ///< of the triangulation
+  using Point_3 = typename Triangulation::Geom_traits::Point_3; ///< the point type, without weight
+  using Cell_vertices = std::array<std::size_t, 4>;             ///< the vertices of a cell
 
   /// chooses cells in linear time. `triangulation` is kept by reference and must not change.
   /// \tparam IsChosen a functor `bool operator()(Cell_handle)`, called for finite cells
@@ -65,18 +65,25 @@ public:
 
   /// \name Operations of the Concept
   /// @{
+  /// returns the number of vertices of chosen cells.
   std::size_t number_of_vertices() const { return m_vertex_handles.size(); }
+  /// returns the number of chosen cells.
   std::size_t number_of_cells() const { return m_cells.size(); }
+  /// returns the position of a vertex.
   Point_3 point(std::size_t vertex) const {
     return m_triangulation->geom_traits().construct_point_3_object()(
         m_triangulation->point(m_vertex_handles[vertex]));
   }
+  /// returns the vertices of a cell.
   const Cell_vertices& cell(std::size_t c) const { return m_cells[c]; }
+  /// returns the facets that have a label.
   const std::vector<Labelled_facet>& labelled_facets() const { return m_facets; }
   /// @}
   /// \name The Way Back
   /// @{
+  /// returns the vertex of the triangulation with this number.
   Vertex_handle vertex_handle(std::size_t vertex) const { return m_vertex_handles[vertex]; }
+  /// returns the cell of the triangulation with this number.
   Cell_handle cell_handle(std::size_t c) const { return m_cell_handles[c]; }
   /// @}
 
@@ -110,6 +117,10 @@ private:
 \ingroup PkgVolumeMeshParameterizationMesh
 
 returns the chosen cells of `triangulation`: see the constructor of `Triangulation_cells_3`.
+
+\tparam Triangulation a `CGAL::Triangulation_3` or a class derived from it
+\tparam IsChosen a functor `bool operator()(Cell_handle)`
+\tparam LabelOf a functor `int operator()(Facet)`
 */
 template <typename Triangulation, typename IsChosen, typename LabelOf>
 Triangulation_cells_3<Triangulation> make_triangulation_cells(const Triangulation& triangulation,
@@ -140,6 +151,8 @@ make_triangulation_cells(const MeshComplex& c3t3, const LabelOfPatch& label_of_p
 \ingroup PkgVolumeMeshParameterizationMesh
 
 returns the cells in the complex `c3t3`, without labels.
+
+\tparam MeshComplex a model of `MeshComplex_3InTriangulation_3`
 */
 template <typename MeshComplex>
 Triangulation_cells_3<typename MeshComplex::Triangulation> make_triangulation_cells(const MeshComplex& c3t3) {

@@ -43,9 +43,13 @@ public:
     if (total > 0) m_mean = sum / total;
   }
 
+  /// returns the least value, 0 if there is none.
   double minimum() const { return m_samples.empty() ? 0 : m_samples.front().value; }
+  /// returns the greatest value, 0 if there is none.
   double maximum() const { return m_samples.empty() ? 0 : m_samples.back().value; }
+  /// returns the mean, weighted.
   double mean() const { return m_mean; }
+  /// returns the value that half of the weight does not exceed.
   double median() const { return quantile(0.5); }
 
   /// returns the least value such that the values up to it have at least the fraction `q` of the total weight.

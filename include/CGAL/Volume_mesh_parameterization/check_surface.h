@@ -38,6 +38,8 @@ namespace Volume_mesh_parameterization {
 
 checks that the triangles of `soup` are three points each, not on a line.
 
+\tparam Point a point type of a \cgal kernel
+
 \returns `ERROR_EMPTY_MESH`, `ERROR_INDEX_OUT_OF_RANGE`, `ERROR_COORDINATE_NOT_FINITE`, `ERROR_WRONG_PARAMETER` (not one
 label for each triangle) or `ERROR_DEGENERATE_TRIANGLE`
 */
@@ -125,6 +127,8 @@ void reverse(Triangles& triangles, const std::vector<char>& is_reversed) {
 
 checks that `soup` is a closed orientable connected 2-manifold, in \f$ O(n \log n) \f$. Orientations need not agree.
 
+\tparam Point a point type of a \cgal kernel
+
 \param soup triangles as `check_triangles()` accepts them
 \param is_reversed receives for each triangle whether it is oriented against the first one
 
@@ -174,6 +178,8 @@ Status check_surface(Triangle_soup_3<Point>& soup) {
 
 returns the genus of a surface that `check_surface()` accepts, from its Euler number; points that are in no triangle do
 not count.
+
+\tparam Point a point type of a \cgal kernel
 */
 template <typename Point>
 int genus(const Triangle_soup_3<Point>& soup) {

@@ -39,6 +39,8 @@ namespace Volume_mesh_parameterization {
 turns every cell of `soup` around if all of them are negatively oriented, as some programs write them; otherwise does
 nothing.
 
+\tparam Point a point type of a \cgal kernel
+
 \returns whether the cells were turned around
 */
 template <typename Point>
@@ -61,6 +63,7 @@ bool orient_cells(Tetrahedron_soup_3<Point>& soup) {
 
 removes the points that are in no tetrahedron and no labelled facet; the others keep their order.
 
+\tparam Point a point type of a \cgal kernel
 \pre all vertex numbers are in range
 */
 template <typename Point>
@@ -77,6 +80,8 @@ void remove_isolated_points(Tetrahedron_soup_3<Point>& soup) {
 \ingroup PkgVolumeMeshParameterizationVerification
 
 checks that coordinates are finite and that each cell is positively oriented, by the predicate of the kernel.
+
+\tparam GeomTraits a model of `VolumeParameterizationTraits_3`
 
 \returns `ERROR_COORDINATE_NOT_FINITE`, `ERROR_FLAT_TETRAHEDRON` or `ERROR_INVERTED_TETRAHEDRON`
 */
@@ -102,6 +107,8 @@ Status check_orientations(const Compact_tetrahedral_mesh_3<GeomTraits>& mesh) {
 \ingroup PkgVolumeMeshParameterizationVerification
 
 checks that the cells are connected through facets, in linear time.
+
+\tparam GeomTraits a model of `VolumeParameterizationTraits_3`
 
 \returns `ERROR_SEVERAL_COMPONENTS`
 */
@@ -180,6 +187,8 @@ boundary.
 A connected link of Euler number 2 without border is a sphere, of 1 with border a disk, even if it might be pinched:
 a connected surface has no greater Euler number than that, and taking a pinched surface apart makes it greater.
 
+\tparam GeomTraits a model of `VolumeParameterizationTraits_3`
+
 \returns `ERROR_NON_MANIFOLD`, also for a vertex that is in no tetrahedron
 */
 template <typename GeomTraits>
@@ -200,6 +209,8 @@ Status check_vertex_links(const Compact_tetrahedral_mesh_3<GeomTraits>& mesh) {
 \ingroup PkgVolumeMeshParameterizationVerification
 
 checks that the boundary is connected, that is that the solid has no cavity.
+
+\tparam GeomTraits a model of `VolumeParameterizationTraits_3`
 
 \returns `ERROR_SEVERAL_COMPONENTS`
 */
@@ -222,6 +233,8 @@ Status check_boundary_connected(const Compact_tetrahedral_mesh_3<GeomTraits>& me
 checks that the mesh is a connected 3-manifold of positive tetrahedra whose boundary is connected, in
 \f$ O(n \log n) \f$.
 
+\tparam GeomTraits a model of `VolumeParameterizationTraits_3`
+
 \returns the error of the first check that fails: `check_orientations()`, `check_connected()`, `check_vertex_links()`,
 `check_boundary_connected()`
 */
@@ -238,6 +251,8 @@ Status check_tetrahedral_mesh(const Compact_tetrahedral_mesh_3<GeomTraits>& mesh
 \ingroup PkgVolumeMeshParameterizationVerification
 
 returns the genus of the boundary of a mesh that `check_tetrahedral_mesh()` accepts, from its Euler number.
+
+\tparam GeomTraits a model of `VolumeParameterizationTraits_3`
 */
 template <typename GeomTraits>
 int boundary_genus(const Compact_tetrahedral_mesh_3<GeomTraits>& mesh) {

@@ -33,7 +33,7 @@ is a vertex at which the topology of the level sets of a function changes. A ver
 with index 2.
 */
 struct Critical_vertex {
-  Vertex_index vertex;
+  Vertex_index vertex; ///< where it is
   int index;        ///< 0 minimum, 1 and 2 saddles, 3 maximum
   int multiplicity; ///< how many simple critical points it stands for
   bool on_wall;     ///< whether it lies on the boundary, where the function is taken to be even across it
@@ -142,6 +142,8 @@ The part of a vertex's link where the function is lower tells: it is contractibl
 if the vertex is regular (T. F. Banchoff, J. Differential Geom. 1 (1967)). At a wall the mesh and the function are
 reflected, as fits a function whose normal derivative vanishes there. Floor and ceiling are skipped. Of equal values that
 of the vertex with the smaller number counts as lower.
+
+\tparam GeomTraits a model of `VolumeParameterizationTraits_3`
 
 \param mesh a mesh that `check_tetrahedral_mesh()` accepts, with labels
 \param values one for each vertex

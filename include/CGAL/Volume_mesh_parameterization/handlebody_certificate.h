@@ -262,6 +262,8 @@ All cells are removed by a breadth-first search from the boundary, then triangle
 one. If a graph remains, the solid is a handlebody, and the steps in reverse give a word for each edge. Each order
 takes linear time.
 
+\tparam GeomTraits a model of `VolumeParameterizationTraits_3`
+
 \returns `ERROR_NOT_A_HANDLEBODY` if every order fails; the detail says how many triangles remained. The solid may be
 a handlebody nevertheless.
 */

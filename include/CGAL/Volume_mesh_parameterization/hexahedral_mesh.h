@@ -33,7 +33,8 @@ namespace Volume_mesh_parameterization {
 is a grid of a prism: lines at all its sides and between them, in equal steps, and levels.
 */
 struct Prism_grid {
-  std::vector<double> x, y; ///< the lines, in increasing order
+  std::vector<double> x; ///< the lines x = constant, in increasing order
+  std::vector<double> y; ///< the lines y = constant, in increasing order
   std::vector<double> levels = {
       0., 1.}; ///< shares of the way up where layers begin and end, increasing from 0 to 1
 
@@ -118,6 +119,8 @@ private:
 \ingroup PkgVolumeMeshParameterizationHexahedra
 
 returns the grid of cells whose edges along the three axes have about these lengths.
+
+\tparam GeomTraits a model of `VolumeParameterizationTraits_3`
 */
 template <typename GeomTraits>
 Prism_grid prism_grid(const Prism_3<GeomTraits>& prism, const std::array<double, 3>& edges) {
@@ -134,6 +137,8 @@ Prism_grid prism_grid(const Prism_3<GeomTraits>& prism, const std::array<double,
 \ingroup PkgVolumeMeshParameterizationHexahedra
 
 returns the grid of about cubic cells of edge `edge`.
+
+\tparam GeomTraits a model of `VolumeParameterizationTraits_3`
 */
 template <typename GeomTraits>
 Prism_grid prism_grid(const Prism_3<GeomTraits>& prism, double edge) {
@@ -144,6 +149,8 @@ Prism_grid prism_grid(const Prism_3<GeomTraits>& prism, double edge) {
 \ingroup PkgVolumeMeshParameterizationHexahedra
 
 returns how many hexahedra the grid has.
+
+\tparam GeomTraits a model of `VolumeParameterizationTraits_3`
 */
 template <typename GeomTraits>
 std::size_t number_of_hexahedra(const Prism_3<GeomTraits>& prism, const Prism_grid& grid) {
@@ -154,6 +161,8 @@ std::size_t number_of_hexahedra(const Prism_3<GeomTraits>& prism, const Prism_gr
 \ingroup PkgVolumeMeshParameterizationHexahedra
 
 returns how many quadrilaterals the boundary of the grid has: how many hexahedra `pillow_hexahedra()` adds.
+
+\tparam GeomTraits a model of `VolumeParameterizationTraits_3`
 */
 template <typename GeomTraits>
 std::size_t number_of_boundary_quadrilaterals(const Prism_3<GeomTraits>& prism, const Prism_grid& grid) {
@@ -184,6 +193,8 @@ double edge_of_size(const Prism_3<GeomTraits>& prism, double target, bool has_pi
 
 returns the grid of about cubic cells whose number of hexahedra, with those of a pillow if `has_pillow`, is nearest to
 `target` among edges around the one that the volume suggests.
+
+\tparam GeomTraits a model of `VolumeParameterizationTraits_3`
 */
 template <typename GeomTraits>
 Prism_grid prism_grid_of_size(const Prism_3<GeomTraits>& prism, std::size_t target, bool has_pillow = false) {
@@ -302,6 +313,8 @@ like the sides of the prism. Linear in the number of hexahedra and of evaluation
   threads at a time. The result does not depend on it. If `FT` is no floating point type, one thread does all.
 \tparam Column a function object `Status column(const Point_2& p, const std::vector<double>& levels, std::vector<Point>& points)`
   that appends the points over `p` at these levels, the first of which is on the floor and the last on the ceiling
+\tparam GeomTraits a model of `VolumeParameterizationTraits_3`
+\tparam Point a point type of a \cgal kernel
 
 \returns `ERROR_WRONG_PARAMETER` if `prism` is not valid, `grid` is empty or a column has a wrong length, or the status of
   the first column that fails; then the mesh is left empty

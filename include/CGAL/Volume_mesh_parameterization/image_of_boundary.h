@@ -29,6 +29,8 @@ namespace Volume_mesh_parameterization {
 
 makes the surface that a boundary map maps onto, so that the polycube need not be given: `tetrahedralize_polycube()` fills it.
 
+\tparam GeomTraits a model of `VolumeParameterizationTraits_3`
+
 \param mesh a solid that has not been refined
 \param images the images of its vertices; those of inner vertices are not used
 \param surface receives the images of the boundary facets, in the order of their numbers, without common vertices

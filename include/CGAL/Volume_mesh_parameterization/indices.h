@@ -32,8 +32,11 @@ public:
   template <typename Integer>
   explicit constexpr Index(Integer i) : m_value(static_cast<std::uint32_t>(i)) {}
 
+  /// returns the number.
   constexpr operator std::uint32_t() const { return m_value; }
+  /// returns whether it numbers anything: a default constructed one does not.
   constexpr bool is_valid() const { return m_value != std::numeric_limits<std::uint32_t>::max(); }
+  /// goes to the next number.
   Index& operator++() {
     ++m_value;
     return *this;
@@ -43,10 +46,18 @@ private:
   std::uint32_t m_value = std::numeric_limits<std::uint32_t>::max();
 };
 
-using Vertex_index = Index<struct Vertex_tag>; ///< \ingroup PkgVolumeMeshParameterizationMesh
-using Edge_index = Index<struct Edge_tag>;     ///< \ingroup PkgVolumeMeshParameterizationMesh
-using Facet_index = Index<struct Facet_tag>;   ///< \ingroup PkgVolumeMeshParameterizationMesh
-using Cell_index = Index<struct Cell_tag>;     ///< \ingroup PkgVolumeMeshParameterizationMesh
+/// \ingroup PkgVolumeMeshParameterizationMesh
+/// is the number of a vertex.
+using Vertex_index = Index<struct Vertex_tag>;
+/// \ingroup PkgVolumeMeshParameterizationMesh
+/// is the number of an edge.
+using Edge_index = Index<struct Edge_tag>;
+/// \ingroup PkgVolumeMeshParameterizationMesh
+/// is the number of a facet.
+using Facet_index = Index<struct Facet_tag>;
+/// \ingroup PkgVolumeMeshParameterizationMesh
+/// is the number of a cell.
+using Cell_index = Index<struct Cell_tag>;
 
 /*!
 \ingroup PkgVolumeMeshParameterizationMesh
@@ -54,8 +65,8 @@ using Cell_index = Index<struct Cell_tag>;     ///< \ingroup PkgVolumeMeshParame
 is the facet opposite to vertex `index` of `cell`, seen from `cell`.
 */
 struct Half_facet {
-  Cell_index cell;
-  int index = 0;
+  Cell_index cell; ///< a cell
+  int index = 0;   ///< the vertex of the cell that is opposite to the facet, from 0 to 3
 };
 
 } // namespace Volume_mesh_parameterization

@@ -27,7 +27,7 @@ flux crosses in the sense of the turn, and others that it crosses against it; re
 not cross do not count; at an edge with such a facet it cannot circle.
 */
 struct Irregular_edge {
-  std::array<Vertex_index, 2> vertices;
+  std::array<Vertex_index, 2> vertices; ///< its ends
   int sign_changes; ///< 0: the flux circles around the edge; 4 or more: the edge is a saddle
 };
 

@@ -96,6 +96,8 @@ Status label_faces(Compact_tetrahedral_mesh_3<GeomTraits>& mesh, const LabelFace
 labels the boundary of a polycube: every face with a facet that has the label `FLOOR` becomes floor as a whole, likewise for
 `CEILING`, and the others are walls, numbered by component. A face is a largest connected set of coplanar facets.
 
+\tparam GeomTraits a model of `VolumeParameterizationTraits_3`
+
 \param mesh a polycube, of whose facets at least one is labelled `FLOOR` and one `CEILING`; other labels do not matter. If
 the result is not legal, it is left there
 
@@ -127,6 +129,8 @@ Status label_polycube(Compact_tetrahedral_mesh_3<GeomTraits>& mesh) {
 \ingroup PkgVolumeMeshParameterizationPartition
 
 labels the boundary of a polycube: its lowest faces along an axis become floor, its highest ones ceiling, the others walls.
+
+\tparam GeomTraits a model of `VolumeParameterizationTraits_3`
 
 \param mesh a polycube
 \param axis 0, 1 or 2 for x, y or z
@@ -162,6 +166,8 @@ Status label_polycube(Compact_tetrahedral_mesh_3<GeomTraits>& mesh, int axis, bo
 
 labels the boundary of a polycube as the function above, upwards along the first of the axes z, y and x along which this is
 legal.
+
+\tparam GeomTraits a model of `VolumeParameterizationTraits_3`
 
 \returns also `ERROR_NO_PARTITION`
 */

@@ -124,6 +124,7 @@ The function takes \f$ O(n \log n) \f$ time if the number of hexahedra around a 
 \tparam LinearCellComplex `Linear_cell_complex_for_combinatorial_map<3>`, with any traits and items; its points are
 constructed from those of `soup`
 \tparam OutputIterator an output iterator for darts; by default they are dropped
+\tparam Point a point type of a \cgal kernel
 
 \returns `ERROR_EMPTY_MESH`, `ERROR_INDEX_OUT_OF_RANGE`, `ERROR_COORDINATE_NOT_FINITE` or `ERROR_NON_MANIFOLD`: a facet in
 more than two hexahedra, two hexahedra on the same side of their common facet, or a boundary that is no closed surface; then

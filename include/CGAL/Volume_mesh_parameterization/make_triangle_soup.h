@@ -35,6 +35,7 @@ copies a surface into a soup, vertices and faces in the order of its iterators.
 
 \tparam TriangleMesh a model of `FaceListGraph` and `VertexListGraph`
 \tparam NamedParameters a sequence of named parameters
+\tparam Point a point type of a \cgal kernel
 
 \cgalNamedParamsBegin
   \cgalParamNBegin{vertex_point_map}
@@ -75,6 +76,7 @@ Status make_triangle_soup(const TriangleMesh& mesh, Triangle_soup_3<Point>& soup
 
 removes the points that are in no triangle; the others keep their order.
 
+\tparam Point a point type of a \cgal kernel
 \pre all vertex numbers are in range
 */
 template <typename Point>
@@ -89,6 +91,8 @@ void remove_isolated_points(Triangle_soup_3<Point>& soup) {
 \ingroup PkgVolumeMeshParameterizationMesh
 
 returns the boundary of `mesh` with its labels, seen from outside; triangle `i` is boundary facet `i`.
+
+\tparam GeomTraits a model of `VolumeParameterizationTraits_3`
 */
 template <typename GeomTraits>
 Triangle_soup_3<typename GeomTraits::Point_3>

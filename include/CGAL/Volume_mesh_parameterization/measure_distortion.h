@@ -44,10 +44,10 @@ volume is kept.
 */
 struct Distortion_report {
   double scale = 1; ///< that factor
-  Weighted_statistics greatest_singular_value;
-  Weighted_statistics least_singular_value;
-  Weighted_statistics volume_ratio;
-  Weighted_statistics symmetric_dirichlet_energy;
+  Weighted_statistics greatest_singular_value;    ///< of the Jacobian
+  Weighted_statistics least_singular_value;       ///< of the Jacobian
+  Weighted_statistics volume_ratio;               ///< of the image and the tetrahedron
+  Weighted_statistics symmetric_dirichlet_energy; ///< 6 for an isometry, infinite for an inverted tetrahedron
 };
 
 namespace internal {
@@ -86,6 +86,8 @@ inline Cell_distortion distortion_of(const Eigen::Matrix3d& jacobian) {
 \ingroup PkgVolumeMeshParameterizationVerification
 
 returns the signed volume of each tetrahedron of `mesh` when its vertices are moved to `points`.
+
+\tparam GeomTraits a model of `VolumeParameterizationTraits_3`
 */
 template <typename GeomTraits>
 std::vector<double> measure_volumes(const Compact_tetrahedral_mesh_3<GeomTraits>& mesh,
@@ -102,6 +104,7 @@ std::vector<double> measure_volumes(const Compact_tetrahedral_mesh_3<GeomTraits>
 
 returns the distortion of each tetrahedron under the piecewise linear map that takes vertex \f$ v \f$ to
 `scale` times `images[v]`.
+\tparam GeomTraits a model of `VolumeParameterizationTraits_3`
 \pre there is one image for each vertex
 */
 template <typename GeomTraits>
@@ -154,7 +157,7 @@ Distortion_report measure_distortion(const Compact_tetrahedral_mesh_3<GeomTraits
 returns the angle in degrees between `first[c]` and `second[c]` for each \f$ c \f$. A vector that vanishes has no
 direction: its angle is 180, so that no statistics hide it.
 
-\tparam VectorRange a random access range of vectors with `operator[]` for the three coordinates
+\tparam VectorRange1, VectorRange2 random access ranges of vectors with `operator[]` for the three coordinates
 \pre the ranges have the same size
 */
 template <typename VectorRange1, typename VectorRange2>
@@ -179,6 +182,7 @@ returns for each tetrahedron the angle in degrees between two directions, under 
 vertex \f$ i \f$ of `mesh` to `images[i]`: that of the line along which \f$ u \f$ and \f$ v \f$ are constant, and that of the
 gradient of \f$ w \f$. It is 0 where lines are orthogonal to iso-surfaces of \f$ w \f$, above 90 if the tetrahedron is flipped,
 180 if it is flat.
+\tparam GeomTraits a model of `VolumeParameterizationTraits_3`
 \pre there is one image for each vertex
 */
 template <typename GeomTraits>

@@ -32,8 +32,8 @@ so that the total area is kept.
 */
 struct Floor_distortion_report {
   double scale = 1; ///< that factor
-  Weighted_statistics greatest_singular_value;
-  Weighted_statistics least_singular_value;
+  Weighted_statistics greatest_singular_value; ///< of the Jacobian
+  Weighted_statistics least_singular_value;    ///< of the Jacobian
   /// \f$ \sum_i \sigma_i^2 + \sigma_i^{-2} \f$, 4 for an isometry
   Weighted_statistics symmetric_dirichlet_energy;
 };

@@ -35,7 +35,8 @@ struct Hexahedral_fit {
   double edge = 0;                     ///< mean length of the edges of boundary quadrilaterals
   double distance_to_solid = 0;        ///< greatest from the boundary of the hexahedra to that of the solid
   double distance_from_solid = 0;      ///< greatest from the boundary of the solid to that of the hexahedra
-  double volume = 0, solid_volume = 0; ///< of the hexahedra and of the solid
+  double volume = 0;                   ///< of the hexahedra
+  double solid_volume = 0;             ///< of the solid
 };
 
 namespace internal {
@@ -138,6 +139,8 @@ quadrilaterals; distances from it those of its boundary vertices and of the bary
 
 Takes \f$ O((n + m) \log (n + m)) \f$ time for \f$ n \f$ hexahedra and \f$ m \f$ tetrahedra, if the surfaces are near to each other.
 
+\tparam GeomTraits a model of `VolumeParameterizationTraits_3`
+\tparam Point a point type of a \cgal kernel
 \pre neither mesh is empty, and the vertices of the hexahedra exist: see `verify_hexahedra()`
 */
 template <typename GeomTraits, typename Point>

@@ -109,6 +109,8 @@ measures the distance between \f$ \varphi \f$ and the map that is linear on each
 solid to `images[v]`: at the vertices, where it is zero for `Product_map_3::vertex_images()`, and at the barycentres.
 
 \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; the result does not depend on it
+\tparam GeomTraits a model of `VolumeParameterizationTraits_3`
+\tparam FloorMap a model of `VolumeFloorMap_3`
 \param map \f$ \varphi \f$
 \param images one for each vertex
 \param distance receives the statistics; on failure it is left as it was
@@ -132,6 +134,8 @@ measures the distance between \f$ \varphi \f$ and a piecewise linear bijection f
 vertices and the barycentres of the mesh of the latter.
 
 \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; the result does not depend on it
+\tparam GeomTraits a model of `VolumeParameterizationTraits_3`
+\tparam FloorMap a model of `VolumeFloorMap_3`
 \param map \f$ \varphi \f$
 \param linear what `make_piecewise_linear()` computed for the solid of `map`
 \param distance receives the statistics; on failure it is left as it was

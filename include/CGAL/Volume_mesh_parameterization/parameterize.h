@@ -157,6 +157,9 @@ maps the solid inside a closed triangle mesh, as the function above.
 
 \tparam ConcurrencyTag as for `parameterize()`
 \tparam TriangleMesh a model of `FaceListGraph` and `VertexListGraph`
+\tparam GeomTraits a model of `VolumeParameterizationTraits_3`
+\tparam Solver a model of `SparseLinearAlgebraWithFactorTraits_d`
+\tparam NamedParameters a sequence of named parameters
 
 \cgalNamedParamsBegin
   \cgalParamNBegin{vertex_point_map}

@@ -35,6 +35,7 @@ struct Default_parameterization_visitor {
 };
 
 /// \ingroup PkgVolumeMeshParameterizationRef
+/// lists the curves that a map may follow.
 enum Curve_type {
   CERTIFIED_CURVES, ///< curves of the product structure, nearest to the flux: they arrive, whatever the field does
   FLUX_CURVES       ///< curves of the Crouzeix-Raviart flux itself: straighter, but nothing is proved

@@ -177,6 +177,8 @@ lying there gets its barycentre inserted, edges first, and so do interior edges 
 cell with all four vertices in one patch does not exist: its facets would all lie in that patch, and the cell would be
 the whole mesh. Labels are kept; points of the boundary are only added, on its edges and facets.
 
+\tparam GeomTraits a model of `VolumeParameterizationTraits_3`
+
 \param mesh a mesh with a legal partition
 \param[out] counts how many simplices were split
 \returns `ERROR_CANNOT_SPLIT` if a barycentre rounds to a place where a cell would not be positive

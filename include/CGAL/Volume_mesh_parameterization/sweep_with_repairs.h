@@ -187,6 +187,9 @@ sweeps the cells of `mesh` from the floor to the ceiling, whatever it takes with
 stops, from the ceiling; then from both ends along the potential alone, with learned priorities; then by bisecting the
 edges of the cells that are left and going on, which keeps what is swept.
 
+\tparam GeomTraits a model of `VolumeParameterizationTraits_3`
+\tparam Guide the type of `guide`
+
 \param mesh a mesh with a legal partition, prepared by `prepare_patches()`; refined only if needed
 \param guide a function object `Status guide(const Mesh& mesh, Sweep_guide_3& result)`; it is called again after each
 refinement

@@ -114,6 +114,8 @@ Status tetrahedralize(const Triangle_soup_3<Point>& surface, Tetrahedron_soup_3<
 fills a surface as the function above and copies the result to `mesh`, which is left as it was on failure.
 
 \tparam GeomTraits a model of `VolumeParameterizationTraits_3` with the points of the surface
+
+\returns the errors of the function above
 */
 template <typename GeomTraits>
 Status tetrahedralize(const Triangle_soup_3<typename GeomTraits::Point_3>& surface,

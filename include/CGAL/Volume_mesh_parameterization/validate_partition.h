@@ -180,8 +180,12 @@ These conditions are checked, in this order, in \f$ O(n \log n) \f$:
 
 For `n > 0` they are necessary, not sufficient: see `validate_fundamental_group()`.
 
+\tparam GeomTraits a model of `VolumeParameterizationTraits_3`
+
 \param mesh the mesh with its labels
 \param summary gets the counts that were checked, as far as they make sense
+
+\returns the error of the first condition that does not hold, with the patch or the vertex at fault
 */
 template <typename GeomTraits>
 Status validate_partition(const Compact_tetrahedral_mesh_3<GeomTraits>& mesh, Boundary_partition_3& summary) {
@@ -257,6 +261,8 @@ generated free groups are Hopfian), and a theorem of E. M. Brown applies (J. Hem
 
 The generators are folded as in J. R. Stallings, Topology of finite graphs, Invent. Math. 71 (1983).
 
+\tparam GeomTraits a model of `VolumeParameterizationTraits_3`
+
 \param mesh a mesh whose partition passed `validate_partition()`
 \param certificate of the same mesh
 \returns `ERROR_FLOOR_NOT_ONTO`; the detail names floor or ceiling
@@ -274,6 +280,10 @@ Status validate_fundamental_group(const Compact_tetrahedral_mesh_3<GeomTraits>& 
 
 checks all conditions on a partition at once: those of `validate_partition()`, `certify_handlebody()` and
 `validate_fundamental_group()`, which fill `summary` and `certificate`.
+
+\tparam GeomTraits a model of `VolumeParameterizationTraits_3`
+
+\returns the errors of these functions
 */
 template <typename GeomTraits>
 Status validate_solid(const Compact_tetrahedral_mesh_3<GeomTraits>& mesh, Boundary_partition_3& summary,

@@ -51,6 +51,7 @@ struct Hexahedra_report {
       0;         ///< of the solid: vertices - edges + facets - hexahedra; 1 - n for a handlebody
   Status status; ///< the first fault
 
+  /// returns whether no fault was found.
   bool is_valid() const { return status.ok(); }
 };
 
@@ -208,6 +209,7 @@ private:
 
 returns the scaled Jacobian of each hexahedron: see `verify_hexahedra()`.
 
+\tparam Point a point type of a \cgal kernel
 \pre the vertices of the hexahedra exist
 */
 template <typename Point>

@@ -41,6 +41,7 @@ struct Map_report {
   std::size_t overlaps = 0; ///< pairs of images of boundary triangles that share more than a common face
   Status status;            ///< the first reason why the map is no bijection
 
+  /// returns whether no fault was found.
   bool is_bijective() const { return status.ok(); }
   /// returns whether the boundary goes to the boundary of a polycube.
   bool is_polycube_map() const { return is_bijective() && off_axis == 0; }

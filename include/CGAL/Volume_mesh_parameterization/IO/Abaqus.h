@@ -118,6 +118,8 @@ demand: it is exact if its digits fit, else it has 13 of them.
 
 The function takes \f$ O(n \log n) \f$ time.
 
+\tparam Point a point type of a \cgal kernel
+
 \param os the stream
 \param soup the hexahedra
 \param element_type the name of an element with eight nodes: `C3D8` for mechanics, `DC3D8` for heat conduction, ...
@@ -142,6 +144,8 @@ Status write_Abaqus(std::ostream& os, const Hexahedron_soup_3<Point>& soup,
 \ingroup PkgVolumeMeshParameterizationIO
 
 writes the file `filename`, as the function above, under a temporary name first: on failure nothing is changed.
+
+\tparam Point a point type of a \cgal kernel
 */
 template <typename Point>
 Status write_Abaqus(const std::string& filename, const Hexahedron_soup_3<Point>& soup,

@@ -24,8 +24,8 @@ namespace IO {
 is an array of numbers with a name, one for each point or for each cell, to be shown on a mesh or on curves.
 */
 struct Data_array {
-  std::string name;
-  std::variant<std::vector<double>, std::vector<int>> values;
+  std::string name;                                           ///< what programs call it
+  std::variant<std::vector<double>, std::vector<int>> values; ///< one or three for each element
 };
 
 } // namespace IO

@@ -131,6 +131,8 @@ Quadrilaterals with the label 0 are left out. Coordinates of type `double` are r
 
 The function takes \f$ O(n \log n) \f$ time.
 
+\tparam Point a point type of a \cgal kernel
+
 \returns `ERROR_EMPTY_MESH`, `ERROR_INDEX_OUT_OF_RANGE`, `ERROR_COORDINATE_NOT_FINITE`, `ERROR_WRONG_PARAMETER` (a negative
 label), `ERROR_LABEL_NOT_ON_BOUNDARY` (also for a quadrilateral that is labelled twice) or `ERROR_CANNOT_WRITE_FILE`
 */
@@ -147,6 +149,8 @@ Status write_Gmsh(std::ostream& os, const Hexahedron_soup_3<Point>& soup) {
 \ingroup PkgVolumeMeshParameterizationIO
 
 writes the file `filename`, as the function above, under a temporary name first: on failure nothing is changed.
+
+\tparam Point a point type of a \cgal kernel
 */
 template <typename Point>
 Status write_Gmsh(const std::string& filename, const Hexahedron_soup_3<Point>& soup) {

@@ -89,6 +89,8 @@ Status read_MEDIT(std::istream& is, Tetrahedron_soup_3<Point>& soup) {
 \ingroup PkgVolumeMeshParameterizationIO
 
 reads hexahedra and labelled quadrilaterals from an ASCII MEDIT file, as the function above.
+
+\tparam Point a point type of a \cgal kernel
 */
 template <typename Point>
 Status read_MEDIT(std::istream& is, Hexahedron_soup_3<Point>& soup) {
@@ -136,6 +138,8 @@ Status write_MEDIT(std::ostream& os, const TetrahedralMesh& mesh) {
 \ingroup PkgVolumeMeshParameterizationIO
 
 writes hexahedra and labelled quadrilaterals as an ASCII MEDIT file.
+
+\tparam Point a point type of a \cgal kernel
 
 \returns `ERROR_COORDINATE_NOT_FINITE` or `ERROR_CANNOT_WRITE_FILE`
 */

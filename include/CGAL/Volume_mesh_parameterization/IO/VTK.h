@@ -49,6 +49,8 @@ Status read_VTK(std::istream& is, Tetrahedron_soup_3<Point>& soup) {
 \ingroup PkgVolumeMeshParameterizationIO
 
 reads the file `filename`, as the function above.
+
+\tparam Point a point type of a \cgal kernel
 */
 template <typename Point>
 Status read_VTK(const std::string& filename, Tetrahedron_soup_3<Point>& soup) {

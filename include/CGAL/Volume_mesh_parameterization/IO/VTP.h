@@ -56,6 +56,8 @@ namespace IO {
 
 writes curves as an ASCII VTP file (XML PolyData of VTK).
 
+\tparam Point a point type of a \cgal kernel
+
 \param os the stream
 \param polylines the points of each curve
 \param point_data arrays with a value for each point of the first curve, then of the second, ...
@@ -92,6 +94,8 @@ Status write_VTP(std::ostream& os, const std::vector<std::vector<Point>>& polyli
 \ingroup PkgVolumeMeshParameterizationIO
 
 writes the file `filename`, as the function above, under a temporary name first: on failure nothing is changed.
+
+\tparam Point a point type of a \cgal kernel
 */
 template <typename Point>
 Status write_VTP(const std::string& filename, const std::vector<std::vector<Point>>& polylines,

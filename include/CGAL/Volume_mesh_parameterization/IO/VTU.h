@@ -44,7 +44,7 @@ is what to write of a mesh into a VTU file. The cells of the file are the tetrah
 the marked vertices and edges, as far as they are asked for.
 */
 struct VTU_content {
-  bool with_tetrahedra = true;
+  bool with_tetrahedra = true;              ///< whether the tetrahedra are written
   bool with_facets = true;                  ///< adds an array `label`: 0 for what is no facet
   std::vector<std::size_t> marked_vertices; ///< each becomes a cell, to be seen as a point
   std::vector<std::array<Vertex_index, 2>> marked_edges; ///< each becomes a cell, to be seen as a line
@@ -177,6 +177,8 @@ Status read_VTU(std::istream& is, Tetrahedron_soup_3<Point>& soup) {
 \ingroup PkgVolumeMeshParameterizationIO
 
 reads the file `filename`, as the function above.
+
+\tparam Point a point type of a \cgal kernel
 */
 template <typename Point>
 Status read_VTU(const std::string& filename, Tetrahedron_soup_3<Point>& soup) {
@@ -207,6 +209,8 @@ Status write_VTU(std::ostream& os, const TetrahedralMesh& mesh, const VTU_conten
 \ingroup PkgVolumeMeshParameterizationIO
 
 writes the file `filename`, as the function above, under a temporary name first: on failure nothing is changed.
+
+\tparam TetrahedralMesh a model of `TetrahedralMesh_3`
 */
 template <typename TetrahedralMesh>
 Status write_VTU(const std::string& filename, const TetrahedralMesh& mesh, const VTU_content& content = {}) {
@@ -217,6 +221,8 @@ Status write_VTU(const std::string& filename, const TetrahedralMesh& mesh, const
 \ingroup PkgVolumeMeshParameterizationIO
 
 writes hexahedra with data on their vertices and on themselves as an ASCII VTU file; their labelled facets are left out.
+
+\tparam Point a point type of a \cgal kernel
 
 \returns `ERROR_EMPTY_MESH`, `ERROR_INDEX_OUT_OF_RANGE`, `ERROR_COORDINATE_NOT_FINITE`, `ERROR_WRONG_PARAMETER` (the size of
 an array, or a value that is not finite) or `ERROR_CANNOT_WRITE_FILE`
@@ -237,6 +243,8 @@ Status write_VTU(std::ostream& os, const Hexahedron_soup_3<Point>& soup, const s
 \ingroup PkgVolumeMeshParameterizationIO
 
 writes the file `filename`, as the function above, under a temporary name first: on failure nothing is changed.
+
+\tparam Point a point type of a \cgal kernel
 */
 template <typename Point>
 Status write_VTU(const std::string& filename, const Hexahedron_soup_3<Point>& soup,

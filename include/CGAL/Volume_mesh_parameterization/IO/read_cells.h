@@ -96,6 +96,8 @@ Status read_cells(std::istream& is, Hexahedron_soup_3<Point>& soup) {
 \ingroup PkgVolumeMeshParameterizationIO
 
 reads the file `filename`, as the function above.
+
+\tparam Point a point type of a \cgal kernel
 */
 template <typename Point>
 Status read_cells(const std::string& filename, Hexahedron_soup_3<Point>& soup) {

@@ -29,6 +29,8 @@ namespace IO {
 \ingroup PkgVolumeMeshParameterizationIO
 
 reads polygons, as `read_surface()` reads triangles.
+
+\tparam Point a point type of a \cgal kernel
 */
 template <typename Point>
 Status read_polygons(const std::string& filename, Polygon_soup_3<Point>& soup) {
