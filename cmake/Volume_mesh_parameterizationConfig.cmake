@@ -4,6 +4,9 @@
 #   CGAL::TetGen_support    defines CGAL_VOLUME_MESH_PARAMETERIZATION_USE_TETGEN; mind TetGen's licence, the AGPL
 #   CGAL::CHOLMOD_support   defines CGAL_VOLUME_MESH_PARAMETERIZATION_USE_CHOLMOD
 #   CGAL::TBB_support       CGAL's own
+# With CGAL 6.1 or later also
+#   CGAL::Constrained_Delaunay_support   defines CGAL_VOLUME_MESH_PARAMETERIZATION_USE_CONSTRAINED_DELAUNAY: surfaces are
+#                                        filled without TetGen; programs take minutes to compile
 
 if(TARGET CGAL::Volume_mesh_parameterization)
   return()
@@ -47,13 +50,19 @@ function(cgal_add_optional_support name target definition without)
   endif()
 endfunction()
 
+if(NOT CGAL_VERSION VERSION_LESS 6.1)
+  add_library(CGAL::Constrained_Delaunay_support INTERFACE IMPORTED)
+  set_target_properties(CGAL::Constrained_Delaunay_support PROPERTIES
+    INTERFACE_COMPILE_DEFINITIONS CGAL_VOLUME_MESH_PARAMETERIZATION_USE_CONSTRAINED_DELAUNAY)
+endif()
+
 list(APPEND CMAKE_MODULE_PATH "${CMAKE_CURRENT_LIST_DIR}")
 find_package(TetGen QUIET)
 find_package(CHOLMOD QUIET)
 find_package(TBB QUIET)
 include(CGAL_TBB_support)
 cgal_add_optional_support(TetGen TetGen::TetGen CGAL_VOLUME_MESH_PARAMETERIZATION_USE_TETGEN
-  "triangle surfaces cannot be filled with tetrahedra, only tetrahedral meshes are taken")
+  "triangle surfaces are filled with tetrahedra only with CGAL 6.1 or later, else only tetrahedral meshes are taken")
 cgal_add_optional_support(CHOLMOD CHOLMOD::CHOLMOD CGAL_VOLUME_MESH_PARAMETERIZATION_USE_CHOLMOD
   "Eigen solves all linear systems")
 cgal_add_optional_support(TBB CGAL::TBB_support "" "all stages run in one thread")

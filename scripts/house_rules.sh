@@ -105,6 +105,7 @@ package_of() {
   Polygon_mesh_processing/*) say Polygon_mesh_processing ;;
   IO/polygon_soup_io.h) say Stream_support ;;
   Unique_hash_map.h) say Hash_map ;;
+  make_conforming_constrained_*.h) say Constrained_triangulation_3 ;;
   spatial_sort.h | Spatial_sort_*.h | hilbert_sort.h) say Spatial_sorting ;;
   property_map.h) say Property_map ;;
   Random.h) say Random_numbers ;;

@@ -65,6 +65,7 @@ public:
 
   /// \name Operations of the Concept
   /// @{
+
   /// returns the number of vertices of chosen cells.
   std::size_t number_of_vertices() const { return m_vertex_handles.size(); }
   /// returns the number of chosen cells.
@@ -81,6 +82,7 @@ public:
   /// @}
   /// \name The Way Back
   /// @{
+
   /// returns the vertex of the triangulation with this number.
   Vertex_handle vertex_handle(std::size_t vertex) const { return m_vertex_handles[vertex]; }
   /// returns the cell of the triangulation with this number.

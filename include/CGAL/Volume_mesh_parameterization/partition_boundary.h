@@ -57,7 +57,8 @@ Status partition_boundary(Compact_tetrahedral_mesh_3<GeomTraits>& solid,
 /*!
 \ingroup PkgVolumeMeshParameterizationPartition
 
-labels a closed surface as the function above labels the solid inside, of which it makes a coarse mesh for that.
+labels a closed surface as the function above labels the solid inside, of which it makes a coarse mesh for that. Needs TetGen,
+which keeps the triangles of the surface.
 
 \tparam GeomTraits a model of `VolumeParameterizationTraits_3`
 
@@ -79,6 +80,8 @@ Status partition_surface(Triangle_soup_3<typename GeomTraits::Point_3>& surface,
   Triangle_soup_3<typename GeomTraits::Point_3> labelled = surface;
   labelled.labels.resize(surface.triangles.size(), INTERIOR);
   Status status = tetrahedralize(labelled, solid); // as coarsely as the surface allows
+  if (status.ok() && solid.number_of_boundary_facets() != surface.triangles.size())
+    status = {ERROR_TETRAHEDRALIZATION, "the mesher has cut triangles of the surface"};
   if (!status.ok()) return status;
   Partition_search_3<GeomTraits> search(solid, options);
   status = search.run(visitor);
@@ -91,7 +94,7 @@ Status partition_surface(Triangle_soup_3<typename GeomTraits::Point_3>& surface,
 /*!
 \ingroup PkgVolumeMeshParameterizationPartition
 
-fills a surface with tetrahedra, its boundary labelled by `partition_surface()`.
+fills a surface with tetrahedra, its boundary labelled by `partition_surface()`, or by `partition_boundary()` without TetGen.
 
 \tparam GeomTraits a model of `VolumeParameterizationTraits_3`
 
@@ -108,8 +111,17 @@ Status partition_and_tetrahedralize(Triangle_soup_3<typename GeomTraits::Point_3
                                     const Partition_options& options, std::size_t number_of_cells,
                                     Compact_tetrahedral_mesh_3<GeomTraits>& solid,
                                     Partition_candidate_3* chosen = nullptr, Visitor&& visitor = Visitor()) {
+#ifdef CGAL_VOLUME_MESH_PARAMETERIZATION_USE_TETGEN
   const Status status = partition_surface<GeomTraits>(surface, options, chosen, visitor);
   return status.ok() ? tetrahedralize(surface, solid, number_of_cells) : status;
+#else // the constrained Delaunay triangulation cuts triangles: the solid is divided as it is then
+  Compact_tetrahedral_mesh_3<GeomTraits> filled;
+  surface.labels.resize(surface.triangles.size(), INTERIOR);
+  Status status = tetrahedralize(surface, filled, number_of_cells);
+  if (status.ok()) status = partition_boundary(filled, options, chosen, visitor);
+  if (status.ok()) solid = std::move(filled);
+  return status;
+#endif
 }
 
 } // namespace Volume_mesh_parameterization

@@ -16,6 +16,7 @@
 #include <CGAL/Volume_mesh_parameterization/Triangle_soup_3.h>
 #include <CGAL/Volume_mesh_parameterization/check_surface.h>
 #include <CGAL/Volume_mesh_parameterization/check_tetrahedral_mesh.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Delaunay_mesher.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Tetgen_mesher.h>
 
 #include <CGAL/Kernel_traits.h>
@@ -63,6 +64,32 @@ Status mesh_with_about(std::size_t number_of_cells, const Tetgen_mesher<Point>& 
   return status;
 }
 
+template <typename Point>
+Status fill_surface(const Triangle_soup_3<Point>& surface, std::size_t number_of_cells,
+                    Tetrahedron_soup_3<Point>& soup) {
+  const Tetgen_mesher<Point> mesher(surface);
+  return number_of_cells == 0
+             ? mesher.mesh(0, soup)
+             : mesh_with_about(number_of_cells, mesher, sixfold_volume<double>(surface) / 6, soup);
+}
+
+#elif defined(CGAL_VOLUME_MESH_PARAMETERIZATION_USE_CONSTRAINED_DELAUNAY)
+
+template <typename Point>
+Status fill_surface(const Triangle_soup_3<Point>& surface, std::size_t number_of_cells,
+                    Tetrahedron_soup_3<Point>& soup) {
+  const Status status = Delaunay_mesher<Point>(surface).mesh(soup);
+  return status.ok() ? bisect_longest_edges(number_of_cells, soup) : status;
+}
+
+#else
+
+template <typename Point>
+Status fill_surface(const Triangle_soup_3<Point>&, std::size_t, Tetrahedron_soup_3<Point>&) {
+  return {ERROR_MISSING_LIBRARY,
+          "TetGen or the constrained Delaunay triangulation of CGAL 6.1, to fill a surface with tetrahedra"};
+}
+
 #endif
 
 } // namespace internal
@@ -70,12 +97,15 @@ Status mesh_with_about(std::size_t number_of_cells, const Tetgen_mesher<Point>& 
 /*!
 \ingroup PkgVolumeMeshParameterizationMesh
 
-fills a surface with tetrahedra. The surface is kept, triangle for triangle, and its points come first. The labels of
-its triangles become those of the boundary facets; if it has none, each boundary facet gets as label the number of its
-triangle.
+fills a surface with tetrahedra. The labels of its triangles become those of the boundary facets; if it has none, each
+boundary facet gets as label the number of its triangle. The points of the surface come first.
 
-Needs TetGen 1.5, and the macro `CGAL_VOLUME_MESH_PARAMETERIZATION_USE_TETGEN`; the constrained Delaunay triangulation
-of \cgal 6.1 is to replace it.
+There are two meshers, each of which needs a macro. If both are defined, the first one is taken.
+- `CGAL_VOLUME_MESH_PARAMETERIZATION_USE_TETGEN`: TetGen 1.5 makes well-shaped cells, and keeps the surface triangle for
+  triangle.
+- `CGAL_VOLUME_MESH_PARAMETERIZATION_USE_CONSTRAINED_DELAUNAY`: the constrained Delaunay triangulation of \cgal 6.1 or later,
+  of which the longest edges are bisected until there are enough cells. Triangles are cut for that, and cells may be thin:
+  certificates hold, distortion is greater.
 
 \tparam Point a point type of a \cgal kernel
 
@@ -89,23 +119,13 @@ small cells); 0: as many as their shapes need
 template <typename Point>
 Status tetrahedralize(const Triangle_soup_3<Point>& surface, Tetrahedron_soup_3<Point>& soup,
                       std::size_t number_of_cells = 0) {
-#ifdef CGAL_VOLUME_MESH_PARAMETERIZATION_USE_TETGEN
   Triangle_soup_3<Point> checked = surface;
   Status status = check_surface(checked);
-  if (!status.ok()) return status;
   Tetrahedron_soup_3<Point> result;
-  const internal::Tetgen_mesher<Point> mesher(checked);
-  status = number_of_cells == 0
-               ? mesher.mesh(0, result)
-               : internal::mesh_with_about(number_of_cells, mesher,
-                                           internal::sixfold_volume<double>(checked) / 6, result);
+  if (status.ok()) status = internal::fill_surface(checked, number_of_cells, result);
   if (status.ok()) status = internal::check_mesher_output(result);
   if (status.ok()) soup = std::move(result);
   return status;
-#else
-  static_cast<void>(surface), static_cast<void>(soup), static_cast<void>(number_of_cells);
-  return {ERROR_MISSING_LIBRARY, "TetGen, to fill a surface with tetrahedra"};
-#endif
 }
 
 /*!
