@@ -204,12 +204,12 @@ private:
 
 // Failures become exceptions of class Error, with the code as an attribute.
 void register_failures(py::module_& module) {
-  static const py::exception<Failure> error(module, "Error", PyExc_ValueError);
+  static const py::object error = py::exception<Failure>(module, "Error", PyExc_ValueError);
   py::register_exception_translator([](std::exception_ptr pointer) {
     try {
       if (pointer) std::rethrow_exception(pointer);
     } catch (const Failure& failure) {
-      py::object instance = error(failure.what());
+      const py::object instance = error(failure.what());
       instance.attr("code") = int(failure.code);
       PyErr_SetObject(error.ptr(), instance.ptr());
     }
@@ -242,7 +242,8 @@ PYBIND11_MODULE(volume_mesh_parameterization, module) {
       [](const Reals& points, const Integers& cells, const Integers& triangles, const Integers& labels) {
         return std::make_unique<Parameterization>(points, cells, triangles, labels);
       },
-      "points"_a, "cells"_a, "triangles"_a = Integers({0, 3}), "labels"_a = Integers(0),
+      "points"_a, "cells"_a, "triangles"_a = Integers(std::vector<py::ssize_t>{0, 3}),
+      "labels"_a = Integers(0),
       "maps tetrahedra: points (n, 3), cells (m, 4), triangles (k, 3) of the boundary with their labels (k): 1 floor, 2 "
       "ceiling, 3 + i wall i. Without triangles, the partition is found. Raises Error.");
   module.def(
