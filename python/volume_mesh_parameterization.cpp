@@ -101,14 +101,17 @@ py::tuple facets_and_labels(const Facets& facets) {
   std::vector<int> labels;
   for (const auto& f : facets) labels.push_back(f.label);
   return py::make_tuple(
-      table<std::int64_t>(facets.size(), corners, [&](std::size_t i) { return facets[i].vertices; }), list(labels));
+      table<std::int64_t>(facets.size(), corners, [&](std::size_t i) { return facets[i].vertices; }),
+      list(labels));
 }
 
 // A mesh whose cells are swept in an order, and the images of its vertices.
-py::dict mesh_and_map(const Mesh& mesh, const std::vector<VMP::Cell_index>& order, const std::vector<Point_3>& images) {
+py::dict mesh_and_map(const Mesh& mesh, const std::vector<VMP::Cell_index>& order,
+                      const std::vector<Point_3>& images) {
   py::dict result;
   result["points"] = table_of(mesh.points());
-  result["cells"] = table<std::int64_t>(mesh.number_of_cells(), 4, [&](std::size_t c) { return mesh.cell(c); });
+  result["cells"] =
+      table<std::int64_t>(mesh.number_of_cells(), 4, [&](std::size_t c) { return mesh.cell(c); });
   const py::tuple facets = facets_and_labels<3>(VMP::make_soup(mesh).facets);
   result["triangles"] = facets[0];
   result["labels"] = facets[1];
@@ -119,7 +122,8 @@ py::dict mesh_and_map(const Mesh& mesh, const std::vector<VMP::Cell_index>& orde
 
 class Parameterization {
 public:
-  Parameterization(const Reals& points, const Integers& cells, const Integers& triangles, const Integers& labels) {
+  Parameterization(const Reals& points, const Integers& cells, const Integers& triangles,
+                   const Integers& labels) {
     VMP::Tetrahedron_soup_3<Point_3> soup;
     soup.points = points_of(points);
     soup.cells = rows<4>(cells, "cells");
@@ -147,7 +151,8 @@ public:
     VMP::Partition_options options;
     if (direction) options.directions.emplace_back((*direction)[0], (*direction)[1], (*direction)[2]);
     Mesh mesh;
-    require(VMP::partition_and_tetrahedralize(surface, options, number_of_cells, mesh, nullptr, Interruptible_visitor()));
+    require(VMP::partition_and_tetrahedralize(surface, options, number_of_cells, mesh, nullptr,
+                                              Interruptible_visitor()));
     map(mesh);
   }
 
@@ -159,7 +164,8 @@ public:
 
   py::object piecewise_linear() {
     if (!m_is_linear_known)
-      m_linear_status = VMP::make_piecewise_linear<Tag>(m_solid, m_linear, CGAL::parameters::visitor(Interruptible_visitor()));
+      m_linear_status = VMP::make_piecewise_linear<Tag>(m_solid, m_linear,
+                                                        CGAL::parameters::visitor(Interruptible_visitor()));
     if (PyErr_Occurred()) throw py::error_already_set();
     m_is_linear_known = true;
     if (!m_linear.is_valid()) return py::none();
@@ -172,11 +178,13 @@ public:
 
   py::dict hexahedra(std::size_t number, bool has_pillow) const {
     const VMP::Prism_3<Kernel>& prism = m_solid.floor_map()->domain();
-    const auto column = [this](const Point_2& foot, const std::vector<double>& levels, std::vector<Point_3>& points) {
+    const auto column = [this](const Point_2& foot, const std::vector<double>& levels,
+                               std::vector<Point_3>& points) {
       return m_solid.product_map()->column(foot, levels, points);
     };
     VMP::Hexahedron_soup_3<Point_3> mesh;
-    require(VMP::hexahedral_mesh<Tag>(prism, VMP::prism_grid_of_size(prism, number, has_pillow), column, mesh));
+    require(
+        VMP::hexahedral_mesh<Tag>(prism, VMP::prism_grid_of_size(prism, number, has_pillow), column, mesh));
     VMP::Hexahedra_optimization options;
     options.slides_over_smooth_rims = has_pillow;
     if (has_pillow) require(VMP::pillow_hexahedra(mesh));
@@ -184,7 +192,8 @@ public:
     require(VMP::verify_hexahedra(mesh).status);
     py::dict result;
     result["points"] = table_of(mesh.points);
-    result["cells"] = table<std::int64_t>(mesh.hexahedra.size(), 8, [&](std::size_t i) { return mesh.hexahedra[i]; });
+    result["cells"] =
+        table<std::int64_t>(mesh.hexahedra.size(), 8, [&](std::size_t i) { return mesh.hexahedra[i]; });
     const py::tuple facets = facets_and_labels<4>(mesh.facets);
     result["quadrilaterals"] = facets[0];
     result["labels"] = facets[1];
@@ -225,17 +234,22 @@ PYBIND11_MODULE(volume_mesh_parameterization, module) {
   py::class_<Parameterization>(module, "Parameterization", "A solid that is mapped onto a prism.")
       .def_property_readonly("genus", &Parameterization::genus, "the number of holes")
       .def("mesh", &Parameterization::mesh,
-           "returns the tetrahedra with their certificate and map: a dictionary of the arrays points (n, 3), cells (m, 4), "
-           "triangles (k, 3) of the boundary and their labels (k), order (m), in which the cells are swept, and uvw (n, 3), "
+           "returns the tetrahedra with their certificate and map: a dictionary of the arrays points (n, 3), "
+           "cells (m, 4), "
+           "triangles (k, 3) of the boundary and their labels (k), order (m), in which the cells are swept, "
+           "and uvw (n, 3), "
            "the image of each point. The first points are those that were given.")
       .def("piecewise_linear", &Parameterization::piecewise_linear,
-           "returns a dictionary as mesh() does, of a map that is linear on each cell and one to one; its cells may be "
+           "returns a dictionary as mesh() does, of a map that is linear on each cell and one to one; its "
+           "cells may be "
            "finer. None if there is no such map: see why_not_piecewise_linear().")
       .def("why_not_piecewise_linear", &Parameterization::why_not_piecewise_linear,
            "returns why piecewise_linear() has returned None; else an empty string.")
       .def("hexahedra", &Parameterization::hexahedra, "number"_a, "pillow"_a = false,
-           "returns about `number` hexahedra, with a layer of them along the boundary if `pillow`: a dictionary of the arrays "
-           "points (n, 3), cells (m, 8), quadrilaterals (k, 4) of the boundary and their labels (k). Raises Error if some "
+           "returns about `number` hexahedra, with a layer of them along the boundary if `pillow`: a "
+           "dictionary of the arrays "
+           "points (n, 3), cells (m, 8), quadrilaterals (k, 4) of the boundary and their labels (k). Raises "
+           "Error if some "
            "would be inverted.");
   module.def(
       "parameterize",
@@ -244,7 +258,8 @@ PYBIND11_MODULE(volume_mesh_parameterization, module) {
       },
       "points"_a, "cells"_a, "triangles"_a = Integers(std::vector<py::ssize_t>{0, 3}),
       "labels"_a = Integers(0),
-      "maps tetrahedra: points (n, 3), cells (m, 4), triangles (k, 3) of the boundary with their labels (k): 1 floor, 2 "
+      "maps tetrahedra: points (n, 3), cells (m, 4), triangles (k, 3) of the boundary with their labels (k): "
+      "1 floor, 2 "
       "ceiling, 3 + i wall i. Without triangles, the partition is found. Raises Error.");
   module.def(
       "parameterize_surface",
@@ -253,6 +268,7 @@ PYBIND11_MODULE(volume_mesh_parameterization, module) {
         return std::make_unique<Parameterization>(points, triangles, number_of_cells, direction);
       },
       "points"_a, "triangles"_a, "number_of_cells"_a = 30000, "direction"_a = py::none(),
-      "maps the inside of a closed surface: points (n, 3), triangles (m, 3). It is filled with about so many tetrahedra. "
+      "maps the inside of a closed surface: points (n, 3), triangles (m, 3). It is filled with about so many "
+      "tetrahedra. "
       "The floor lies opposite to `direction`, a vector; by default a direction is found. Raises Error.");
 }
