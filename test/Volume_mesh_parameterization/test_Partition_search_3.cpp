@@ -360,6 +360,11 @@ void test_wrong_options() {
   }
 }
 
+void test_method_names() {
+  assert(std::string(VMP::method_name(VMP::BY_CREASES)) == "creases");
+  assert(std::string(VMP::method_name(VMP::BY_LABELS)) == "labels");
+}
+
 int main() {
   const Mesh block = unlabelled(shaped_block<Point>(Shape::JITTERED, 1, 3, 3));
   const Mesh torus = unlabelled(solid_torus<Point>(30, 15, 2));
@@ -370,6 +375,7 @@ int main() {
   test_determinism(block);
   test_determinism(torus);
   test_cancel();
+  test_method_names();
   test_picked_bases();
   test_picked_walls();
   test_impossible_picks();

@@ -72,6 +72,7 @@ struct Partition_quality {
   /// \name From a trial solution
   /// `try_partition()` fills these in.
   /// @{
+
   /// standard deviation by volume of the logarithm of \f$ |\nabla f| \f$ for the harmonic function \f$ f \f$ that is 0
   /// on the floor and 1 on the ceiling; 0 for a prism. What is less than 1 % of the mean counts as 1 %.
   double gradient_spread = 0;
