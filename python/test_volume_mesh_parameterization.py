@@ -82,7 +82,7 @@ class TestParameterization(unittest.TestCase):
         self.assertEqual(set(hexahedra["labels"]), {FLOOR, CEILING, WALL, WALL + 1})
         # a box of these nodes is cut like the blocks are: the sum of six tetrahedra around each diagonal
         tetrahedra = hexahedra["cells"][:, [[0, 1, 2, 6], [0, 2, 3, 6], [0, 3, 7, 6], [0, 7, 4, 6], [0, 4, 5, 6], [0, 5, 1, 6]]]
-        self.assertAlmostEqual(volumes(hexahedra["points"], tetrahedra.reshape(-1, 4)).sum(), 6 * 24, places=1)
+        self.assertAlmostEqual(volumes(hexahedra["points"], tetrahedra.reshape(-1, 4)).sum(), 6 * 24, delta=1)
 
     def test_partition_is_found(self):
         points, cells = block()
