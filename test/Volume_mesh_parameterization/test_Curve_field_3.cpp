@@ -50,11 +50,35 @@ void test_rates(const Swept_solid<Kernel>& solid, const VMP::Curve_field_3<Kerne
   }
 }
 
+// What the field keeps of the mesh for those who follow curves.
+template <typename Kernel>
+void test_cells(const Swept_solid<Kernel>& solid, const VMP::Curve_field_3<Kernel>& field) {
+  const auto& mesh = solid.mesh;
+  static_assert(sizeof(VMP::internal::Curve_cell<double>) == VMP::internal::cache_line, "");
+  for (VMP::Cell_index c : mesh.cells()) {
+    const auto& cell = field.cell(c);
+    assert(field.rates(c)[field.main_entry(c)] > 0);
+    std::array<int, 4> signs = {0, 0, 0, 0};
+    for (int k = 0; k < cell.entries.size(); ++k) ++signs[cell.entries[k]];
+    for (int k = 0; k < cell.exits.size(); ++k) --signs[cell.exits[k]];
+    for (int i = 0; i < 4; ++i) {
+      assert(signs[i] == field.sign(c, i) && cell.neighbors[i] == mesh.neighbor(c, i));
+      if (!cell.neighbors[i].is_valid()) continue;
+      assert(cell.slot_behind(i, i) == mesh.opposite({c, i}).index);
+      for (int j = 0; j < 4; ++j)
+        assert(j == i || mesh.vertex(cell.neighbors[i], cell.slot_behind(i, j)) == mesh.vertex(c, j));
+    }
+  }
+}
+
 template <typename Kernel>
 void test_certified(Shape shape, int holes, int per_unit, double tolerance) {
   const Swept_solid<Kernel> solid(shaped_block<typename Kernel::Point_3>(shape, holes, per_unit, per_unit));
-  for (VMP::Level_function level : {VMP::HARMONIC_LEVEL, VMP::ARC_LENGTH_LEVEL})
-    test_rates(solid, solid.certified_field(level), tolerance);
+  for (VMP::Level_function level : {VMP::HARMONIC_LEVEL, VMP::ARC_LENGTH_LEVEL}) {
+    const VMP::Curve_field_3<Kernel> field = solid.certified_field(level);
+    test_rates(solid, field, tolerance);
+    test_cells(solid, field);
+  }
 }
 
 void test_vertical(int holes, int per_unit) {

@@ -15,6 +15,7 @@
 #include <CGAL/Volume_mesh_parameterization/Harmonic_function_3.h>
 #include <CGAL/Volume_mesh_parameterization/Product_structure_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Cell_gradients.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Curve_cell.h>
 #include <CGAL/Volume_mesh_parameterization/internal/for_each_index.h>
 #include <CGAL/Volume_mesh_parameterization/internal/nearest_admissible_vector.h>
 
@@ -80,9 +81,10 @@ public:
     using Tag = internal::Concurrency_for<ConcurrencyTag, FT>;
     internal::for_each_index<Tag>(mesh.number_of_cells(), [&](std::size_t i) {
       const Cell_index c(i);
-      const internal::Cell_gradients cell(mesh, c);
-      m_signs[c] = structure.signs(c);
-      std::array<double, 4> rates = nearest_rates(cell, m_signs[c], flux.vector(c), least_slope);
+      const internal::Cell_gradients gradients(mesh, c);
+      m_cells[c].set_neighbors(mesh, c);
+      m_cells[c].set_signs(structure.signs(c));
+      const std::array<double, 4> rates = nearest_rates(gradients, m_cells[c].signs, flux.vector(c), least_slope);
       set_rates(mesh, c, rates, harmonic.gradient(c), level, slope);
     });
   }
@@ -94,28 +96,39 @@ public:
       : Curve_field_3(mesh) {
     const double slope = mean_slope(mesh, harmonic);
     for (Cell_index c : mesh.cells()) {
-      m_signs[c] = flux.signs(c);
+      m_cells[c].set_neighbors(mesh, c);
+      m_cells[c].set_signs(flux.signs(c));
       set_rates(mesh, c, flux.rates(c), harmonic.gradient(c), level, slope);
     }
   }
 
   /// returns the rates in `c`.
-  const Rates& rates(Cell_index c) const { return m_rates[c]; }
+  const Rates& rates(Cell_index c) const { return m_cells[c].rates; }
 
   /// returns +1 if curves enter `c` through facet `i`, -1 if they leave there, 0 if they are parallel to it.
-  int sign(Cell_index c, int i) const { return m_signs[c][i]; }
+  int sign(Cell_index c, int i) const { return m_cells[c].signs[i]; }
 
   /// returns the velocity in space, in units of length per level.
   Vector_3 vector(const Mesh& mesh, Cell_index c) const {
     Vector_3 v(0, 0, 0);
     const auto origin = internal::approximate(mesh.point(mesh.vertex(c, 0)));
     for (int i = 1; i < 4; ++i)
-      v = v + CGAL::to_double(m_rates[c][i]) * (internal::approximate(mesh.point(mesh.vertex(c, i))) - origin);
+      v = v + CGAL::to_double(m_cells[c].rates[i]) * (internal::approximate(mesh.point(mesh.vertex(c, i))) - origin);
     return v;
   }
 
   /// tells whether the level of `c` grows as the harmonic function does.
-  bool follows_harmonic_level(Cell_index c) const { return m_follows[c] != 0; }
+  bool follows_harmonic_level(Cell_index c) const { return m_cells[c].follows_harmonic_level; }
+
+#ifndef DOXYGEN_RUNNING
+  // The facet through which most enters.
+  int main_entry(Cell_index c) const {
+    const Rates& r = m_cells[c].rates;
+    return int(std::max_element(r.begin(), r.end()) - r.begin());
+  }
+
+  const internal::Curve_cell<FT>& cell(Cell_index c) const { return m_cells[c]; }
+#endif
 
 private:
   // Least cosine between a curve and grad f at which w still follows f.
@@ -123,8 +136,9 @@ private:
   // Least slope of w, in parts of the mean slope of f: keeps w growing in dead ends, where f is flat to rounding.
   static constexpr double least_relative_slope = 1e-3;
 
-  explicit Curve_field_3(const Mesh& mesh)
-      : m_rates(mesh.number_of_cells()), m_signs(mesh.number_of_cells()), m_follows(mesh.number_of_cells(), 0) {}
+  using Cell = internal::Curve_cell<FT>;
+
+  explicit Curve_field_3(const Mesh& mesh) : m_cells(mesh.number_of_cells()) {}
 
   template <typename Harmonic_function>
   static double mean_slope(const Mesh& mesh, const Harmonic_function& harmonic) {
@@ -161,21 +175,22 @@ private:
   // Scales to the level function, then derives the rate of greatest size among the exits so that the sum is zero.
   void set_rates(const Mesh& mesh, Cell_index c, const std::array<double, 4>& rates, const Vector_3& gradient,
                  Level_function level, double slope) {
-    for (int i = 0; i < 4; ++i) m_rates[c][i] = FT(m_signs[c][i] == 0 ? 0. : rates[i]);
-    balance(c);
-    const double speed = level_speed(vector(mesh, c), gradient, level, slope, m_follows[c]);
-    for (int i = 0; i < 4; ++i) m_rates[c][i] = m_rates[c][i] / FT(speed);
-    balance(c);
+    Cell& cell = m_cells[c];
+    for (int i = 0; i < 4; ++i) cell.rates[i] = FT(cell.signs[i] == 0 ? 0. : rates[i]);
+    balance(cell);
+    const double speed = level_speed(vector(mesh, c), gradient, level, slope, cell.follows_harmonic_level);
+    for (int i = 0; i < 4; ++i) cell.rates[i] = cell.rates[i] / FT(speed);
+    balance(cell);
   }
 
   // The exits take what the entries give: their rates are scaled to the same sum.
-  void balance(Cell_index c) {
-    Rates& r = m_rates[c];
+  static void balance(Cell& cell) {
+    Rates& r = cell.rates;
     FT in(0), out(0);
     int largest = -1;
     for (int i = 0; i < 4; ++i) {
-      if (m_signs[c][i] > 0) in += r[i];
-      if (m_signs[c][i] < 0) {
+      if (cell.signs[i] > 0) in += r[i];
+      if (cell.signs[i] < 0) {
         out -= r[i];
         if (largest < 0 || r[i] < r[largest]) largest = i;
       }
@@ -183,14 +198,14 @@ private:
     if (largest < 0 || in <= FT(0)) return;
     FT others(0);
     for (int i = 0; i < 4; ++i)
-      if (m_signs[c][i] < 0 && i != largest) {
+      if (cell.signs[i] < 0 && i != largest) {
         r[i] = r[i] * in / out;
         others -= r[i];
       }
     r[largest] = others - in;
   }
 
-  double level_speed(const Vector_3& v, const Vector_3& gradient, Level_function level, double slope, char& follows) const {
+  static double level_speed(const Vector_3& v, const Vector_3& gradient, Level_function level, double slope, bool& follows) {
     const double speed = std::sqrt(v.squared_length());
     if (level == ARC_LENGTH_LEVEL) return speed > 0 ? speed : 1;
     const double least = std::max(least_cosine * std::sqrt(gradient.squared_length()), least_relative_slope * slope) * speed;
@@ -199,9 +214,7 @@ private:
     return speed > 0 ? std::max(growth, least) : 1;
   }
 
-  std::vector<Rates> m_rates;
-  std::vector<std::array<std::int8_t, 4>> m_signs;
-  std::vector<char> m_follows;
+  std::vector<Cell> m_cells;
 };
 
 } // namespace Volume_mesh_parameterization

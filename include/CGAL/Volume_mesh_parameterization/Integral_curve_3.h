@@ -191,23 +191,13 @@ public:
   template <typename OnSegment>
   Status trace(Location& at, Curve_direction direction, const FT& duration, Half_facet& arrival, FT& elapsed,
                OnSegment on_segment) const {
-    elapsed = FT(0);
+    Location here = at;
+    FT time(0);
     arrival = Half_facet();
-    for (std::size_t steps = 0; steps <= m_mesh->number_of_cells(); ++steps) {
-      const auto [exit, time] = exit_of(at, direction);
-      if (exit < 0) return lost(at, "has no facet to leave by");
-      const bool stops = duration >= FT(0) && duration - elapsed < time;
-      const FT step = stops ? FT(duration - elapsed) : time;
-      const Location begin = at;
-      move(at, direction, step, stops ? -1 : exit);
-      elapsed += step;
-      on_segment(begin, at, step);
-      if (stops) return {};
-      const Half_facet next = m_mesh->opposite({at.cell, exit});
-      if (!next.cell.is_valid()) return arrive(at, exit, direction, arrival);
-      at = transferred(at, next);
-    }
-    return lost(at, "is passed twice");
+    const Status status = follow(here, direction, duration, arrival, time, on_segment);
+    at = here;
+    elapsed = time;
+    return status;
   }
 
   /// moves `at` as the function above, without reporting segments.
@@ -234,39 +224,62 @@ public:
   /// @}
 
 private:
-  // The facet through which the curve leaves and when; -1 if there is none.
-  std::pair<int, FT> exit_of(const Location& at, Curve_direction direction) const {
+  using Cell = internal::Curve_cell<FT>;
+
+  // For `trace()`, which passes variables of its own that nothing else refers to: they stay in registers.
+  template <typename OnSegment>
+  Status follow(Location& at, Curve_direction direction, const FT& duration, Half_facet& arrival, FT& elapsed,
+                OnSegment& on_segment) const {
+    for (std::size_t steps = 0; steps <= m_mesh->number_of_cells(); ++steps) {
+      const Cell& cell = m_field->cell(at.cell);
+      const auto [exit, time] = exit_of(cell, at, direction);
+      if (exit < 0) return lost(at, "has no facet to leave by");
+      const bool stops = duration >= FT(0) && duration - elapsed < time;
+      const FT step = stops ? FT(duration - elapsed) : time;
+      Location end = moved(cell, at, FT(int(direction)) * step);
+      if (!stops) end.barycentric[exit] = FT(0);
+      elapsed += step;
+      on_segment(at, end, step);
+      if (!stops && cell.neighbors[exit].is_valid()) {
+        enter(cell, exit, end, at);
+        continue;
+      }
+      at = end;
+      return stops ? Status() : arrive(at, exit, direction, arrival);
+    }
+    return lost(at, "is passed twice");
+  }
+
+  // The facet through which the curve leaves and when; -1 if there is none. The cells to which it may go are fetched while it
+  // is found out to which one it does.
+  std::pair<int, FT> exit_of(const Cell& cell, const Location& at, Curve_direction direction) const {
+    const internal::Facet_list& facets = direction == DOWN ? cell.entries : cell.exits;
     int exit = -1;
     FT least(0);
-    const auto& rates = m_field->rates(at.cell);
-    for (int i = 0; i < 4; ++i) {
-      if (m_field->sign(at.cell, i) != direction) continue;
-      const FT time = at.barycentric[i] / (rates[i] * FT(int(direction)));
-      if (exit < 0 || time < least) {
-        exit = i;
-        least = time;
-      }
+    for (int k = 0; k < facets.size(); ++k) {
+      const int i = facets[k];
+      if (cell.neighbors[i].is_valid()) internal::prefetch(&m_field->cell(cell.neighbors[i]));
+      const FT time = FT(int(direction)) * at.barycentric[i] / cell.rates[i];
+      const bool is_first = k == 0 || time < least;
+      exit = is_first ? i : exit;
+      least = is_first ? time : least;
     }
     return {exit, least};
   }
 
-  // Coordinates stay non-negative; the one of the exit facet becomes zero, and zeros on walls stay.
-  void move(Location& at, Curve_direction direction, const FT& time, int exit) const {
-    const auto& rates = m_field->rates(at.cell);
-    for (int i = 0; i < 4; ++i) {
-      if (m_field->sign(at.cell, i) == 0) continue;
-      at.barycentric[i] -= FT(int(direction)) * time * rates[i];
-      if (i == exit || at.barycentric[i] < FT(0)) at.barycentric[i] = FT(0);
-    }
+  // Coordinates stay non-negative, and zeros on walls stay.
+  static Location moved(const Cell& cell, const Location& at, const FT& time) {
+    const auto coordinate = [&](int i) {
+      const FT result = at.barycentric[i] - time * cell.rates[i];
+      return result < FT(0) ? FT(0) : result;
+    };
+    return {at.cell, {coordinate(0), coordinate(1), coordinate(2), coordinate(3)}};
   }
 
-  Location transferred(const Location& at, Half_facet next) const {
-    Location result{next.cell, {FT(0), FT(0), FT(0), FT(0)}};
-    for (int i = 0; i < 4; ++i) {
-      const int j = m_mesh->index(next.cell, m_mesh->vertex(at.cell, i));
-      if (j >= 0) result.barycentric[j] = at.barycentric[i];
-    }
-    return result;
+  // The location `at` on facet `exit`, seen from the neighbor.
+  static void enter(const Cell& cell, int exit, const Location& at, Location& result) {
+    result.cell = cell.neighbors[exit];
+    for (int j = 0; j < 4; ++j) result.barycentric[cell.slot_behind(exit, j)] = at.barycentric[j];
   }
 
   Status arrive(const Location& at, int facet, Curve_direction direction, Half_facet& arrival) const {

@@ -33,6 +33,7 @@ public:
   // Returns the point of the set nearest to g. That point is the projection of g on the planes of the constraints that
   // are active there, hence the nearest of those projections, over all active sets, that is admissible.
   Vector nearest_to(const Vector& g) const {
+    if (contains_walls(0) && is_admissible(g)) return g;
     Vector best = Vector::Zero();
     double least = std::numeric_limits<double>::infinity();
     for (unsigned active = 0; active < 16; ++active) {
