@@ -10,10 +10,15 @@
 
 #include "solid_test_util.h"
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <cstdlib>
 #include <iostream>
+
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/global_control.h>
+#endif
 
 namespace VMP = CGAL::Volume_mesh_parameterization;
 using Inexact = CGAL::Exact_predicates_inexact_constructions_kernel;
@@ -208,6 +213,49 @@ void test_certified(Shape shape, int holes) {
   assert(largest < 1e-10);
 }
 
+template <typename Tag, typename Map, typename Locations>
+std::vector<Inexact::Point_3> images(const Map& map, const Locations& locations) {
+  std::vector<Inexact::Point_3> result, vertices;
+  VMP::Status status = map.template images<Tag>(locations, result);
+  if (status.ok()) status = map.template vertex_images<Tag>(vertices);
+  assert(status.ok());
+  result.insert(result.end(), vertices.begin(), vertices.end());
+  return result;
+}
+
+// Batches are traced in an order of their own and by several threads; each point has the image that it has alone.
+void test_batches() {
+  VMP::Direct_product_parameterizer_3<Inexact> parameterizer;
+  const VMP::Status built = parameterizer.run(shaped_block<Inexact::Point_3>(Shape::BENT, 1, 4, 3));
+  assert(built.ok());
+  const auto& map = *parameterizer.product_map();
+  const auto& mesh = parameterizer.mesh();
+  Random random(8);
+  std::vector<VMP::Location_3<Inexact>> locations;
+  for (int k = 0; k < 3000; ++k) locations.push_back(random_location(mesh, random));
+  const std::vector<Inexact::Point_3> all = images<CGAL::Sequential_tag>(map, locations);
+  for (std::size_t k = 0; k < locations.size(); ++k) {
+    Inexact::Point_3 image(CGAL::ORIGIN);
+    const VMP::Status status = map.image(locations[k], image);
+    assert(status.ok() && image == all[k]); // to the bit
+  }
+#ifdef CGAL_LINKED_WITH_TBB
+  for (std::size_t threads : {1, 2, 3}) {
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+    assert(images<CGAL::Parallel_tag>(map, locations) == all);
+  }
+#endif
+  const auto cell_of = [&](std::size_t i) { return locations[i].cell; };
+  const auto& field = map.curves().field();
+  std::vector<std::uint32_t> order = VMP::internal::order_by_feet(mesh, field, locations.size(), cell_of);
+  VMP::internal::Feet_of_cells<std::decay_t<decltype(mesh)>, std::decay_t<decltype(field)>> foot_of(mesh, field);
+  for (VMP::Cell_index c : mesh.cells()) assert(mesh.label(foot_of(c)) == VMP::FLOOR);
+  for (std::size_t k = 1; k < order.size(); ++k)
+    assert(foot_of(cell_of(order[k - 1])) <= foot_of(cell_of(order[k])));
+  std::sort(order.begin(), order.end());
+  for (std::size_t k = 0; k < locations.size(); ++k) assert(order[k] == k);
+}
+
 // With exact numbers both directions are inverse to the bit.
 void test_exact() {
   VMP::Direct_product_parameterizer_3<Exact> parameterizer;
@@ -236,6 +284,7 @@ int main() {
   }
   for (int holes = 0; holes <= 2; ++holes)
     for (Shape shape : {Shape::JITTERED, Shape::BENT, Shape::TWISTED}) test_certified(shape, holes);
+  test_batches();
   test_exact();
   std::cout << "done" << std::endl;
   return EXIT_SUCCESS;

@@ -17,6 +17,7 @@
 namespace VMP = CGAL::Volume_mesh_parameterization;
 using VMP::internal::Concurrency_for;
 using VMP::internal::for_each_index;
+using VMP::internal::try_each_in_order;
 using VMP::internal::try_each_index;
 
 // Each index is met once, whatever the block.
@@ -50,6 +51,22 @@ void test_failures() {
   }
 }
 
+// In another order the least failure is told, too, though it may not be met first.
+template <typename Tag>
+void test_order() {
+  std::vector<std::size_t> order(5000);
+  for (std::size_t k = 0; k < order.size(); ++k) order[k] = k * 4999 % order.size(); // a permutation, and far from sorted
+  for (std::size_t first : {0, 17, 4999, 5000}) {
+    std::vector<int> calls(order.size(), 0);
+    const VMP::Status status = try_each_in_order<Tag>(order, [&](std::size_t i) {
+      ++calls[i];
+      return i < first ? VMP::Status() : VMP::Status(VMP::ERROR_CURVE_LOST, std::to_string(i));
+    });
+    assert(status.ok() == (first == order.size()) && (status.ok() || status.detail() == std::to_string(first)));
+    for (std::size_t i = 0; i < first; ++i) assert(calls[i] == 1);
+  }
+}
+
 template <typename Tag>
 std::vector<double> results() {
   std::vector<double> x(3000);
@@ -62,6 +79,7 @@ template <typename Tag>
 void test() {
   test_loop<Tag>();
   test_failures<Tag>();
+  test_order<Tag>();
   assert(results<Tag>() == results<CGAL::Sequential_tag>());
 }
 

@@ -12,8 +12,10 @@
 
 #include <CGAL/Volume_mesh_parameterization/Floor_map_2.h>
 #include <CGAL/Volume_mesh_parameterization/Integral_curve_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Vertex_stars.h>
 #include <CGAL/Volume_mesh_parameterization/internal/for_each_index.h>
+#include <CGAL/Volume_mesh_parameterization/internal/order_by_feet.h>
+
+#include <boost/range/irange.hpp>
 
 #include <cstddef>
 #include <utility>
@@ -111,15 +113,14 @@ public:
   /// \returns `ERROR_CURVE_LOST`, for uncertified curves only
   template <typename ConcurrencyTag = Sequential_tag>
   Status images(const std::vector<Location>& points, std::vector<Point_3>& result) const {
-    return map_each<ConcurrencyTag>(points.size(), result,
-                                    [&](std::size_t i, Point_3& q) { return image(points[i], q); });
+    return trace_each<ConcurrencyTag>(points.size(), result, [&](std::size_t i) { return points[i]; });
   }
 
   /// computes \f$ \varphi^{-1} \f$ at points.
   /// \returns `ERROR_OUTSIDE`; `ERROR_CURVE_LOST`, for uncertified curves only
   template <typename ConcurrencyTag = Sequential_tag>
   Status preimages(const std::vector<Point_3>& points, std::vector<Location>& result) const {
-    return map_each<ConcurrencyTag>(points.size(), result,
+    return map_each<ConcurrencyTag>(boost::irange(std::size_t(0), points.size()), result,
                                     [&](std::size_t i, Location& p) { return preimage(points[i], p); });
   }
 
@@ -127,11 +128,12 @@ public:
   /// \returns `ERROR_CURVE_LOST`, for uncertified curves only
   template <typename ConcurrencyTag = Sequential_tag>
   Status vertex_images(std::vector<Point_3>& result) const {
-    const internal::Vertex_stars stars(mesh());
-    return map_each<ConcurrencyTag>(mesh().number_of_vertices(), result, [&](std::size_t i, Point_3& q) {
-      const Vertex_index v(i);
-      return image(location(*stars.cells(v).begin(), v), q);
-    });
+    std::vector<Cell_index> cells(mesh().number_of_vertices());
+    for (Cell_index c : mesh().cells())
+      for (Vertex_index v : mesh().cell(c))
+        if (!cells[v].is_valid()) cells[v] = c;
+    return trace_each<ConcurrencyTag>(cells.size(), result,
+                                      [&](std::size_t v) { return location(cells[v], Vertex_index(v)); });
   }
 
   /// @}
@@ -139,11 +141,18 @@ public:
 private:
   const Compact_tetrahedral_mesh_3<GeomTraits>& mesh() const { return m_curves.mesh(); }
 
-  template <typename ConcurrencyTag, typename Result, typename Map>
-  static Status map_each(std::size_t n, std::vector<Result>& result, const Map& map) {
-    std::vector<Result> values(n);
+  template <typename ConcurrencyTag, typename LocationOf>
+  Status trace_each(std::size_t n, std::vector<Point_3>& result, const LocationOf& location) const {
+    const auto order = internal::order_by_feet(mesh(), m_curves.field(), n, [&](std::size_t i) { return location(i).cell; });
+    return map_each<ConcurrencyTag>(order, result, [&](std::size_t i, Point_3& q) { return image(location(i), q); });
+  }
+
+  template <typename ConcurrencyTag, typename Order, typename Result, typename Map>
+  static Status map_each(const Order& order, std::vector<Result>& result, const Map& map) {
+    std::vector<Result> values(order.size());
     using Tag = internal::Concurrency_for<ConcurrencyTag, FT>;
-    const Status status = internal::try_each_index<Tag>(n, [&](std::size_t i) { return map(i, values[i]); });
+    const Status status =
+        internal::try_each_in_order<Tag>(order, [&](std::size_t i) { return map(i, values[i]); });
     if (status.ok()) result = std::move(values);
     return status;
   }

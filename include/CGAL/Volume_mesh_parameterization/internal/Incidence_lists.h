@@ -48,6 +48,9 @@ public:
     return boost::make_iterator_range(m_cells.begin() + m_first[e], m_cells.begin() + m_first[e + 1]);
   }
 
+  // returns all rows, one after the other.
+  const std::vector<Cell>& cells() const { return m_cells; }
+
 private:
   std::vector<std::uint32_t> m_first;
   std::vector<Cell> m_cells;

@@ -20,6 +20,8 @@
 #include <tbb/partitioner.h>
 #endif
 
+#include <boost/range/irange.hpp>
+
 #include <atomic>
 #include <cstddef>
 #include <mutex>
@@ -55,14 +57,16 @@ void for_each_index(std::size_t n, const Function& f, std::size_t block = 64) {
   for (std::size_t i = 0; i < n; ++i) f(i);
 }
 
-// The same for an f that returns a Status; returns the failure of the least i, whatever the number of threads. Once one
-// has failed, greater ones may be left out.
-template <typename ConcurrencyTag, typename Function>
-Status try_each_index(std::size_t n, const Function& f, std::size_t block = 64) {
+// Calls f(i), which returns a Status, for all i of a permutation of the first numbers; returns the failure of the least i,
+// whatever the number of threads. Once one has failed, greater ones may be left out.
+template <typename ConcurrencyTag, typename Order, typename Function>
+Status try_each_in_order(const Order& order, const Function& f, std::size_t block = 64) {
+  const std::size_t n = order.size();
   std::atomic<std::size_t> failed(n);
   Status failure;
   std::mutex mutex;
-  const auto attempt = [&](std::size_t i) {
+  const auto attempt = [&](std::size_t k) {
+    const std::size_t i = order[k];
     if (i > failed) return;
     Status status = f(i);
     if (status.ok()) return;
@@ -73,6 +77,12 @@ Status try_each_index(std::size_t n, const Function& f, std::size_t block = 64) 
   };
   for_each_index<ConcurrencyTag>(n, attempt, block);
   return failure;
+}
+
+// The same for all i less than n.
+template <typename ConcurrencyTag, typename Function>
+Status try_each_index(std::size_t n, const Function& f, std::size_t block = 64) {
+  return try_each_in_order<ConcurrencyTag>(boost::irange(std::size_t(0), n), f, block);
 }
 
 } // namespace internal
