@@ -13,6 +13,7 @@
 #include <CGAL/Volume_mesh_parameterization/Error_code.h>
 #include <CGAL/Volume_mesh_parameterization/Tetrahedron_soup_3.h>
 #include <CGAL/Volume_mesh_parameterization/indices.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Incidence_lists.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/number_utils.h>
@@ -221,30 +222,29 @@ private:
     return std::equal(a.begin(), a.begin() + 3, b.begin());
   }
 
-  std::vector<Sorted_facet> sorted_half_facets() const {
-    std::vector<Sorted_facet> all;
-    all.reserve(4 * m_cells.size());
-    for (Cell_index c : cells())
-      for (int i = 0; i < 4; ++i) all.push_back(sorted(vertices(Half_facet{c, i}), pack({c, i})));
-    std::sort(all.begin(), all.end());
-    return all;
+  Sorted_facet sorted_half_facet(std::uint32_t h) const { return sorted(vertices(unpack(h)), h); }
+
+  // The facets with a smallest vertex of each number: so a few short lists are sorted instead of a long one.
+  internal::Incidence_lists<Vertex_index, std::uint32_t> half_facets_by_first_vertex() const {
+    return {number_of_vertices(), 4 * number_of_cells(), [this](std::uint32_t h) {
+              const auto v = vertices(unpack(h));
+              return std::array<Vertex_index, 1>{(std::min)({v[0], v[1], v[2]})};
+            }};
   }
 
   // Boundary facets come first, each kind in the lexicographic order of its vertices.
   Status number_facets() {
-    const std::vector<Sorted_facet> all = sorted_half_facets();
+    const auto lists = half_facets_by_first_vertex();
     std::vector<std::array<std::uint32_t, 2>> interior;
+    std::vector<Sorted_facet> list;
+    interior.reserve(2 * number_of_cells());
     m_half_facets.clear();
-    for (std::size_t k = 0, end; k < all.size(); k = end) {
-      for (end = k + 1; end < all.size() && same_facet(all[k], all[end]);) ++end;
-      if (end - k > 2)
-        return {ERROR_NON_MANIFOLD, "tetrahedra " + std::to_string(all[k][3] / 4) + ", " +
-                                        std::to_string(all[k + 1][3] / 4) + " and " +
-                                        std::to_string(all[k + 2][3] / 4) + " share a facet"};
-      if (end - k == 1)
-        m_half_facets.push_back({all[k][3], none});
-      else
-        interior.push_back({all[k][3], all[k + 1][3]});
+    for (Vertex_index first : vertices()) {
+      list.clear();
+      for (std::uint32_t h : lists[first]) list.push_back(sorted_half_facet(h));
+      std::sort(list.begin(), list.end());
+      const Status status = pair_half_facets(list, interior);
+      if (!status.ok()) return status;
     }
     m_labels.assign(m_half_facets.size(), INTERIOR);
     m_half_facets.insert(m_half_facets.end(), interior.begin(), interior.end());
@@ -252,6 +252,21 @@ private:
     for (Facet_index f : facets())
       for (std::uint32_t h : m_half_facets[f])
         if (h != none) m_cell_facets[h / 4][h % 4] = f;
+    return {};
+  }
+
+  Status pair_half_facets(const std::vector<Sorted_facet>& sorted, std::vector<std::array<std::uint32_t, 2>>& interior) {
+    for (std::size_t k = 0, end; k < sorted.size(); k = end) {
+      for (end = k + 1; end < sorted.size() && same_facet(sorted[k], sorted[end]);) ++end;
+      if (end - k > 2)
+        return {ERROR_NON_MANIFOLD, "tetrahedra " + std::to_string(sorted[k][3] / 4) + ", " +
+                                        std::to_string(sorted[k + 1][3] / 4) + " and " +
+                                        std::to_string(sorted[k + 2][3] / 4) + " share a facet"};
+      if (end - k == 1)
+        m_half_facets.push_back({sorted[k][3], none});
+      else
+        interior.push_back({sorted[k][3], sorted[k + 1][3]});
+    }
     return {};
   }
 

@@ -15,7 +15,7 @@
 #include <CGAL/Volume_mesh_parameterization/Tetrahedron_soup_3.h>
 #include <CGAL/Volume_mesh_parameterization/indices.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Disjoint_sets.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Edge_numbering.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Vertex_stars.h>
 #include <CGAL/Volume_mesh_parameterization/internal/check_coordinates.h>
 #include <CGAL/Volume_mesh_parameterization/internal/remove_unused_points.h>
 
@@ -166,9 +166,14 @@ std::vector<char> vertices_on_boundary(const Compact_tetrahedral_mesh_3<GeomTrai
 template <typename GeomTraits>
 std::vector<int> link_euler_numbers(const Compact_tetrahedral_mesh_3<GeomTraits>& mesh) {
   std::vector<int> euler(mesh.number_of_vertices(), 0);
-  const Edge_numbering edges(mesh);
-  for (Edge_index e : edges.edges())
-    for (Vertex_index v : edges.ends(e)) ++euler[v];
+  const Vertex_stars stars(mesh);
+  std::vector<Vertex_index> counted_for(mesh.number_of_vertices());
+  for (Vertex_index v : mesh.vertices()) {
+    counted_for[v] = v;
+    for (Cell_index c : stars.cells(v))
+      for (Vertex_index w : mesh.cell(c))
+        if (std::exchange(counted_for[w], v) != v) ++euler[v];
+  }
   for (Facet_index f : mesh.facets())
     for (Vertex_index v : mesh.vertices(f)) --euler[v];
   for (Cell_index c : mesh.cells())

@@ -11,6 +11,7 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/Compact_tetrahedral_mesh_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Incidence_lists.h>
 
 #include <CGAL/Kernel/global_functions.h>
 #include <CGAL/enum.h>
@@ -64,25 +65,41 @@ void sort_longest_first(std::vector<Simplex>& simplices, const Point_of& point) 
   std::transform(keyed.begin(), keyed.end(), simplices.begin(), [](auto& k) { return std::move(k.second); });
 }
 
-// The place of each cell in the lexicographic order of its points.
+// The place of each vertex in the lexicographic order of the points.
 template <typename Mesh>
-std::vector<std::uint32_t> geometric_ranks(const Mesh& mesh) {
+std::vector<std::uint32_t> geometric_ranks_of_vertices(const Mesh& mesh) {
   std::vector<Vertex_index> vertices(mesh.vertices().begin(), mesh.vertices().end());
   std::sort(vertices.begin(), vertices.end(), [&](Vertex_index v, Vertex_index w) {
     return comes_before(v, w, [&](Vertex_index u) { return approximate(mesh.point(u)); });
   });
-  std::vector<std::uint32_t> rank_of_vertex(vertices.size());
-  for (std::uint32_t k = 0; k < vertices.size(); ++k) rank_of_vertex[vertices[k]] = k;
-  std::vector<std::pair<std::array<std::uint32_t, 4>, Cell_index>> cells;
-  for (Cell_index c : mesh.cells()) {
-    const auto& v = mesh.cell(c);
-    cells.push_back(
-        {{rank_of_vertex[v[0]], rank_of_vertex[v[1]], rank_of_vertex[v[2]], rank_of_vertex[v[3]]}, c});
-    std::sort(cells.back().first.begin(), cells.back().first.end());
+  std::vector<std::uint32_t> ranks(vertices.size());
+  for (std::uint32_t k = 0; k < vertices.size(); ++k) ranks[vertices[k]] = k;
+  return ranks;
+}
+
+// The place of each cell in the lexicographic order of its points. Cells are first put into lists by the first of their
+// points, so that short lists are sorted instead of a long one.
+template <typename Mesh>
+std::vector<std::uint32_t> geometric_ranks(const Mesh& mesh) {
+  const std::vector<std::uint32_t> vertex_ranks = geometric_ranks_of_vertices(mesh);
+  const auto sorted_ranks = [&](Cell_index c) {
+    std::array<std::uint32_t, 4> ranks;
+    std::transform(mesh.cell(c).begin(), mesh.cell(c).end(), ranks.begin(), [&](Vertex_index v) { return vertex_ranks[v]; });
+    std::sort(ranks.begin(), ranks.end());
+    return ranks;
+  };
+  const Incidence_lists<std::uint32_t, Cell_index> lists(
+      mesh.number_of_vertices(), mesh.number_of_cells(),
+      [&](Cell_index c) { return std::array<std::uint32_t, 1>{sorted_ranks(c)[0]}; });
+  std::vector<std::uint32_t> ranks(mesh.number_of_cells());
+  std::vector<std::pair<std::array<std::uint32_t, 4>, Cell_index>> list;
+  std::uint32_t rank = 0;
+  for (std::uint32_t first = 0; first < lists.size(); ++first) {
+    list.clear();
+    for (Cell_index c : lists[first]) list.emplace_back(sorted_ranks(c), c);
+    std::sort(list.begin(), list.end());
+    for (const auto& cell : list) ranks[cell.second] = rank++;
   }
-  std::sort(cells.begin(), cells.end());
-  std::vector<std::uint32_t> ranks(cells.size());
-  for (std::uint32_t k = 0; k < cells.size(); ++k) ranks[cells[k].second] = k;
   return ranks;
 }
 
