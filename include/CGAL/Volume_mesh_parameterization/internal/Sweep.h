@@ -13,13 +13,11 @@
 #include <CGAL/Volume_mesh_parameterization/Compact_tetrahedral_mesh_3.h>
 #include <CGAL/Volume_mesh_parameterization/Sweep_guide_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Edge_numbering.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Index_queue.h>
 
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <functional>
-#include <queue>
-#include <tuple>
 #include <vector>
 
 namespace CGAL {
@@ -64,18 +62,18 @@ public:
   // Sweeps whatever can be swept: first cells that are entered and left as they wish, and among those the one of least
   // potential. A cell is queued again whenever something around it changes; what is out of date is skipped.
   void run(const Sweep_guide_3& guide) {
-    using Entry = std::tuple<bool, double, std::uint32_t, Cell_index>;
-    std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue;
+    const std::vector<Cell_index> cells = sorted_cells(guide);
+    std::vector<std::uint32_t> places(cells.size());
+    for (std::uint32_t k = 0; k < cells.size(); ++k) places[cells[k]] = k;
+    Index_queue wished(cells.size()), unwished(cells.size());
     const auto push_if_free = [&](Cell_index c) {
-      if (m_swept[c] || !is_free(c)) return;
-      const std::uint32_t rank = guide.ranks.empty() ? 0 : guide.ranks[c];
-      queue.push({!is_entered_as_wished(c, guide), m_upwards * guide.potential[c], rank, c});
+      if (!m_swept[c] && is_free(c)) (is_entered_as_wished(c, guide) ? wished : unwished).push(places[c]);
     };
     for (Cell_index c : m_mesh.cells()) push_if_free(c);
-    while (!queue.empty()) {
-      const auto [against_wish, value, rank, c] = queue.top();
-      queue.pop();
-      if (m_swept[c] || against_wish == is_entered_as_wished(c, guide) || !is_free(c)) continue;
+    while (!wished.empty() || !unwished.empty()) {
+      const bool as_wished = !wished.empty();
+      const Cell_index c = cells[(as_wished ? wished : unwished).pop()];
+      if (m_swept[c] || as_wished != is_entered_as_wished(c, guide) || !is_free(c)) continue;
       sweep(c);
       for (Cell_index changed : m_changed) push_if_free(changed);
       m_changed.clear();
@@ -121,6 +119,18 @@ public:
 
 private:
   enum : char { REACHED = 1, ON_WALL = 2 };
+
+  // All cells in the order in which they are preferred.
+  std::vector<Cell_index> sorted_cells(const Sweep_guide_3& guide) const {
+    std::vector<Cell_index> cells(m_mesh.cells().begin(), m_mesh.cells().end());
+    std::sort(cells.begin(), cells.end(), [&](Cell_index c, Cell_index d) {
+      const double a = m_upwards * guide.potential[c], b = m_upwards * guide.potential[d];
+      if (a != b) return a < b;
+      const auto rank = [&](Cell_index e) { return guide.ranks.empty() ? 0 : guide.ranks[e]; };
+      return rank(c) != rank(d) ? rank(c) < rank(d) : c < d;
+    });
+    return cells;
+  }
 
   bool is_entered_as_wished(Cell_index c, const Sweep_guide_3& guide) const {
     if (guide.signs.empty()) return true;
