@@ -95,8 +95,7 @@ public:
         m_edges(certificate.m_edges),
         m_is_removed(mesh.number_of_facets(), 0),
         m_is_collapsed(m_edges.number_of_edges(), 0),
-        m_uses(m_edges.number_of_edges(), 0),
-        m_sum(m_edges.number_of_edges(), 0) {}
+        m_uses(m_edges.number_of_edges()) {}
 
   static void number_edges(const Mesh& mesh, Handlebody_certificate& certificate) {
     certificate.m_edges = Edge_numbering(mesh);
@@ -144,29 +143,33 @@ private:
       for (int i = 0; i < 4; ++i) reach(m_mesh.facet(queue[k], i), m_mesh.neighbor(queue[k], i));
   }
 
-  // The sum of the numbers of the triangles left at an edge names the last one.
+  // The numbers of the triangles left at an edge, added bit by bit, name the last one.
+  struct Uses {
+    std::uint32_t number = 0, triangles = 0;
+  };
+
   void collapse_edges() {
     for (Facet_index f : m_mesh.facets())
       if (!m_is_removed[f]) count(f, +1);
     std::vector<Edge_index> queue;
     for (Edge_index e : m_edges.edges())
-      if (m_uses[e] == 1) queue.push_back(e);
+      if (m_uses[e].number == 1) queue.push_back(e);
     for (std::size_t k = 0; k < queue.size(); ++k) {
-      if (m_uses[queue[k]] != 1) continue;
-      const Facet_index f(m_sum[queue[k]]);
+      if (m_uses[queue[k]].number != 1) continue;
+      const Facet_index f(m_uses[queue[k]].triangles);
       m_is_collapsed[queue[k]] = 1;
       m_collapses.push_back({queue[k], f});
       count(f, -1);
       for (Edge_index e : edges_of(f))
-        if (m_uses[e] == 1) queue.push_back(e);
+        if (m_uses[e].number == 1) queue.push_back(e);
     }
   }
 
   void count(Facet_index f, int sign) {
     m_number_of_triangles += sign;
     for (Edge_index e : edges_of(f)) {
-      m_uses[e] += sign;
-      m_sum[e] += sign * std::int64_t(f);
+      m_uses[e].number += sign;
+      m_uses[e].triangles ^= f;
     }
   }
 
@@ -204,26 +207,35 @@ private:
     m_certificate.m_spans[e] = {std::uint32_t(begin), std::uint32_t(m_certificate.m_letters.size())};
   }
 
-  void append(Word& word, Vertex_index v, Vertex_index w) const {
-    const auto letters = m_certificate.word(m_edges.find(v, w));
-    if (v < w)
+  // Goes along an edge from the vertex v and returns the other one.
+  Vertex_index append(Word& word, Edge_index e, Vertex_index v) const {
+    const auto letters = m_certificate.word(e);
+    const bool is_forward = v == m_edges.ends(e)[0];
+    if (is_forward)
       for (int letter : letters) append_letter(word, letter);
     else
       for (std::size_t k = letters.size(); k-- > 0;) append_letter(word, -letters[k]);
+    return m_edges.ends(e)[is_forward ? 1 : 0];
+  }
+
+  // The edges of a facet in the order in which one passes them who starts with `first`, from its smaller end.
+  std::array<Edge_index, 3> loop_from(Edge_index first, Facet_index f) const {
+    std::array<Edge_index, 3> e = edges_of(f);
+    std::swap(e[0], *std::find(e.begin(), e.end(), first));
+    const Vertex_index v = m_edges.ends(first)[1];
+    if (m_edges.ends(e[1])[0] != v && m_edges.ends(e[1])[1] != v) std::swap(e[1], e[2]);
+    return e;
   }
 
   // Undoing the collapses, the last first: a collapsed edge is homotopic to the other two edges of its triangle.
   Status replay() {
     Word word;
     for (std::size_t k = m_collapses.size(); k-- > 0;) {
-      const Edge_numbering::Ends& ends = m_edges.ends(m_collapses[k].first);
-      Vertex_index apex;
-      for (Vertex_index v : m_mesh.vertices(m_collapses[k].second))
-        if (v != ends[0] && v != ends[1]) apex = v;
+      const auto [e, f] = m_collapses[k];
+      const std::array<Edge_index, 3> loop = loop_from(e, f);
       word.clear();
-      append(word, ends[0], apex);
-      append(word, apex, ends[1]);
-      store(m_collapses[k].first, word);
+      append(word, loop[1], append(word, loop[2], m_edges.ends(e)[0]));
+      store(e, word);
       if (m_certificate.m_letters.size() > letters_per_edge * m_edges.number_of_edges())
         return {ERROR_NOT_A_HANDLEBODY, "the words of the edges grow too long"};
     }
@@ -233,9 +245,10 @@ private:
   Status check_facets() const {
     Word word;
     for (Facet_index f : m_mesh.facets()) {
-      const auto v = m_mesh.vertices(f);
       word.clear();
-      for (int i = 0; i < 3; ++i) append(word, v[i], v[(i + 1) % 3]);
+      const std::array<Edge_index, 3> loop = loop_from(edges_of(f)[0], f);
+      Vertex_index v = m_edges.ends(loop[0])[0];
+      for (Edge_index e : loop) v = append(word, e, v);
       if (!word.empty()) return {ERROR_NOT_A_HANDLEBODY, "the loop around facet " + std::to_string(f)};
     }
     return {};
@@ -245,8 +258,7 @@ private:
   Handlebody_certificate& m_certificate;
   const Edge_numbering& m_edges;
   std::vector<char> m_is_removed, m_is_collapsed;
-  std::vector<int> m_uses;         // how many triangles are left around each edge
-  std::vector<std::int64_t> m_sum; // of the numbers of these triangles
+  std::vector<Uses> m_uses; // of each edge, by triangles that are left
   std::size_t m_number_of_triangles = 0;
   std::vector<std::pair<Edge_index, Facet_index>> m_collapses;
 };
