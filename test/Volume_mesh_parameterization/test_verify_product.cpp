@@ -136,6 +136,7 @@ const std::string rules[] = {"has no facet to enter by",
 // Compares the verdict on `order` with that of the definition. Returns which rule is said to be broken, or -1.
 int compare_with_definition(const Mesh& mesh, const Order& order) {
   const VMP::Status status = VMP::verify_product(mesh, order);
+  assert(VMP::verify_product<CGAL::Parallel_if_available_tag>(mesh, order).message() == status.message());
   const long n = long(order.size()), up = first_breach(mesh, order.begin(), order.end(), VMP::FLOOR);
   const long down = first_breach(mesh, order.rbegin(), order.rend(), VMP::CEILING);
   assert(status.ok() == (up == n && down == n));

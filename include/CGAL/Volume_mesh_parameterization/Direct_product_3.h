@@ -180,7 +180,7 @@ private:
     };
     Product_structure structure;
     Status status = sweep_with_repairs(m_mesh, guide, structure, m_sweep_report);
-    if (status.ok()) status = verify_product(m_mesh, structure.order());
+    if (status.ok()) status = verify_product<ConcurrencyTag>(m_mesh, structure.order());
     if (status.ok()) m_structure.emplace(std::move(structure));
     return status;
   }

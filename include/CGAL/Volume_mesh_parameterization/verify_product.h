@@ -11,6 +11,7 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/Compact_tetrahedral_mesh_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/for_each_index.h>
 
 #include <algorithm>
 #include <array>
@@ -72,17 +73,17 @@ public:
 
   /// replays the sweep `first`, ..., `last` from the facets with the label `base`.
   template <typename CellIterator>
-  Status verify(CellIterator first, CellIterator last, Boundary_label base) {
-    m_swept.assign(number_of_faces(), 0);
+  Status verify(CellIterator first, CellIterator last, Boundary_label base) const {
+    Marks swept(number_of_faces(), 0);
     for (Facet_index f : m_mesh.boundary_facets())
-      if (m_mesh.label(f) == base) mark_facet(f, m_swept);
+      if (m_mesh.label(f) == base) mark_facet(f, swept);
     for (CellIterator c = first; c != last; ++c) {
-      const Breach breach = find_breach(*c);
+      const Breach breach = find_breach(*c, swept);
       if (breach.rule)
         return {ERROR_SWEEP_RULE, std::string("from the ") + (base == FLOOR ? "floor" : "ceiling") +
                                       ", position " + std::to_string(c - first) + ", tetrahedron " +
                                       std::to_string(*c) + " " + breach.rule + name_least(*c, breach.faces)};
-      for (std::size_t id : face_ids(*c)) m_swept[id] = 1;
+      for (std::size_t id : face_ids(*c)) swept[id] = 1;
     }
     return {};
   }
@@ -97,9 +98,9 @@ private:
   };
 
   // The rules of the theorem, for the next tetrahedron of the sweep.
-  Breach find_breach(Cell_index c) const {
+  Breach find_breach(Cell_index c, const Marks& swept_faces) const {
     const Face_ids ids = face_ids(c);
-    const Set swept = select(ids, m_swept), on_wall = select(ids, m_on_wall);
+    const Set swept = select(ids, swept_faces), on_wall = select(ids, m_on_wall);
     const Set entry = Faces::closed_facets(swept), wall = Faces::closed_facets(on_wall);
     if (!entry) return {"has no facet to enter by"};
     if (swept != entry) return {"meets what is swept outside of its entry facets, in", swept & ~entry};
@@ -183,7 +184,7 @@ private:
   const Mesh& m_mesh;
   std::vector<std::array<std::uint32_t, 6>> m_cell_edges;
   std::uint32_t m_number_of_edges = 0;
-  Marks m_on_wall, m_swept; // for each face of the mesh
+  Marks m_on_wall; // for each face of the mesh
 };
 
 inline Status verify_permutation(const std::vector<Cell_index>& order, std::size_t n) {
@@ -216,6 +217,8 @@ its floor and an interval, by combinatorics alone.
 
 The function shares no code with the sweep. It takes \f$ O(n) \f$ time for vertices of bounded degree.
 
+\tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`: both directions may be replayed at
+the same time
 \tparam GeomTraits a model of `VolumeParameterizationTraits_3`
 \param mesh a tetrahedral mesh with labels
 \param order all tetrahedra, in the order in which the front sweeps them
@@ -223,14 +226,17 @@ The function shares no code with the sweep. It takes \f$ O(n) \f$ time for verti
 \returns `ERROR_SWEEP_RULE` when `order` is not a permutation of the tetrahedra or breaks a rule; the detail names the
 first position, tetrahedron and rule
 */
-template <typename GeomTraits>
+template <typename ConcurrencyTag = Sequential_tag, typename GeomTraits>
 Status verify_product(const Compact_tetrahedral_mesh_3<GeomTraits>& mesh,
                       const std::vector<Cell_index>& order) {
   Status status = internal::verify_permutation(order, mesh.number_of_cells());
   if (!status.ok()) return status;
-  internal::Sweep_verifier<GeomTraits> verifier(mesh);
-  status = verifier.verify(order.begin(), order.end(), FLOOR);
-  return status.ok() ? verifier.verify(order.rbegin(), order.rend(), CEILING) : status;
+  const internal::Sweep_verifier<GeomTraits> verifier(mesh);
+  const auto verify = [&](std::size_t i) {
+    return i == 0 ? verifier.verify(order.begin(), order.end(), FLOOR)
+                  : verifier.verify(order.rbegin(), order.rend(), CEILING);
+  };
+  return internal::try_each_index<ConcurrencyTag>(2, verify, 1);
 }
 
 } // namespace Volume_mesh_parameterization
