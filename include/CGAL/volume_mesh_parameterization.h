@@ -72,6 +72,7 @@
 #include <CGAL/Volume_mesh_parameterization/prepare_patches.h>
 #include <CGAL/Volume_mesh_parameterization/propose_directions.h>
 #include <CGAL/Volume_mesh_parameterization/remesh_thin_triangles.h>
+#include <CGAL/Volume_mesh_parameterization/sort_spatially.h>
 #include <CGAL/Volume_mesh_parameterization/sweep_with_repairs.h>
 #include <CGAL/Volume_mesh_parameterization/tetrahedralize.h>
 #include <CGAL/Volume_mesh_parameterization/tetrahedralize_polycube.h>

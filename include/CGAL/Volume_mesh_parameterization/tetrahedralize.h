@@ -18,6 +18,7 @@
 #include <CGAL/Volume_mesh_parameterization/check_tetrahedral_mesh.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Delaunay_mesher.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Tetgen_mesher.h>
+#include <CGAL/Volume_mesh_parameterization/sort_spatially.h>
 
 #include <CGAL/Kernel_traits.h>
 
@@ -98,7 +99,8 @@ Status fill_surface(const Triangle_soup_3<Point>&, std::size_t, Tetrahedron_soup
 \ingroup PkgVolumeMeshParameterizationMesh
 
 fills a surface with tetrahedra. The labels of its triangles become those of the boundary facets; if it has none, each
-boundary facet gets as label the number of its triangle. The points of the surface come first.
+boundary facet gets as label the number of its triangle. The points of the surface come first; the other points and the
+cells are sorted by `sort_spatially()`.
 
 There are two meshers, each of which needs a macro. If both are defined, the first one is taken.
 - `CGAL_VOLUME_MESH_PARAMETERIZATION_USE_TETGEN`: TetGen 1.5 makes well-shaped cells, and keeps the surface triangle for
@@ -124,7 +126,9 @@ Status tetrahedralize(const Triangle_soup_3<Point>& surface, Tetrahedron_soup_3<
   Tetrahedron_soup_3<Point> result;
   if (status.ok()) status = internal::fill_surface(checked, number_of_cells, result);
   if (status.ok()) status = internal::check_mesher_output(result);
-  if (status.ok()) soup = std::move(result);
+  if (!status.ok()) return status;
+  sort_spatially(result, checked.points.size());
+  soup = std::move(result);
   return status;
 }
 
