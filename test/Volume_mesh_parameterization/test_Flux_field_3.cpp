@@ -4,6 +4,7 @@
 #include <CGAL/Gmpq.h>
 
 #include <CGAL/Volume_mesh_parameterization/Flux_field_3.h>
+#include <CGAL/Volume_mesh_parameterization/Harmonic_function_3.h>
 
 #include "test_util.h"
 
@@ -39,6 +40,17 @@ Field_ solved(const Mesh_& mesh) {
   return field;
 }
 
+template <typename Field_ = Field, typename Mesh_>
+Field_ equilibrated(const Mesh_& mesh) {
+  VMP::Harmonic_function_3<Mesh_> harmonic(mesh);
+  const VMP::Status status = harmonic.solve();
+  assert(status.ok());
+  Field_ field(mesh);
+  field.equilibrate(harmonic);
+  assert(field.residual() < 1e-12);
+  return field;
+}
+
 // a block in which no linear function is the solution
 Soup wedge(int holes) {
   return transformed(
@@ -59,11 +71,8 @@ template <typename Mesh_, typename Field_>
 void test_conservation(const Mesh_& mesh, const Field_& field) {
   double largest = 0;
   for (VMP::Facet_index f : mesh.facets()) largest = std::max(largest, std::abs(field.flux(f)));
-  for (VMP::Facet_index f : mesh.boundary_facets()) {
+  for (VMP::Facet_index f : mesh.boundary_facets())
     if (mesh.label(f) >= VMP::FIRST_WALL) assert(field.flux(f) == 0);
-    if (mesh.label(f) == VMP::FLOOR) assert(field.flux(f) < 0);
-    if (mesh.label(f) == VMP::CEILING) assert(field.flux(f) > 0);
-  }
   for (VMP::Cell_index c : mesh.cells()) {
     double sum = 0;
     bool enters = false, leaves = false;
@@ -85,6 +94,14 @@ void test_conservation(const Mesh_& mesh, const Field_& field) {
   assert(field.largest_divergence() < 1e-12);
 }
 
+// The flux enters through all of the floor and leaves through all of the ceiling, which conservation does not imply.
+void test_bases(const Mesh& mesh, const Field& field) {
+  for (VMP::Facet_index f : mesh.boundary_facets()) {
+    if (mesh.label(f) == VMP::FLOOR) assert(field.flux(f) < 0);
+    if (mesh.label(f) == VMP::CEILING) assert(field.flux(f) > 0);
+  }
+}
+
 // The rates are those of the barycentric coordinates of a point that moves with the vector of the cell.
 void test_rates_and_vectors(const Mesh& mesh, const Field& field) {
   for (VMP::Cell_index c : mesh.cells()) {
@@ -99,11 +116,12 @@ void test_rates_and_vectors(const Mesh& mesh, const Field& field) {
   }
 }
 
-void test_block(int holes) {
+void test_block(int holes, Field (*make_field)(const Mesh&)) {
   const double height = 1.7;
   const Mesh mesh = mesh_of(jitter_interior(Block_with_holes<Point>(holes, 4, 5, height).soup(), 0.06, 7));
-  const Field field = solved(mesh);
+  const Field field = make_field(mesh);
   test_conservation(mesh, field);
+  test_bases(mesh, field);
   test_rates_and_vectors(mesh, field);
   double error = 0;
   for (VMP::Cell_index c : mesh.cells())
@@ -116,9 +134,9 @@ void test_block(int holes) {
 }
 
 // The vertical facets of the cubes are parallel to the field: nothing crosses them, to the bit.
-void test_parallel_facets() {
+void test_parallel_facets(Field (*make_field)(const Mesh&)) {
   const Mesh mesh = mesh_of(Block_with_holes<Point>(2, 5, 5).soup());
-  const Field field = solved(mesh);
+  const Field field = make_field(mesh);
   std::size_t vertical = 0;
   for (VMP::Facet_index f : mesh.facets()) {
     const auto v = mesh.vertices(f);
@@ -132,13 +150,13 @@ void test_parallel_facets() {
   test_conservation(mesh, field);
 }
 
-void test_invariance() {
+void test_invariance(Field (*make_field)(const Mesh&)) {
   const Mesh mesh = mesh_of(wedge(2));
-  const Field expected = solved(mesh);
+  const Field expected = make_field(mesh);
   test_conservation(mesh, expected);
   test_rates_and_vectors(mesh, expected);
   const auto compare = [&](const Mesh& moved, double scale) {
-    const Field field = solved(moved);
+    const Field field = make_field(moved);
     double error = 0, largest = 0;
     for (VMP::Facet_index f : mesh.facets()) {
       error = std::max(error, std::abs(field.flux(f) / scale - expected.flux(f)));
@@ -156,12 +174,50 @@ void test_invariance() {
                                              -(4 * p.x() + 3 * p.y()) / 5);
                               })),
           1);
+  const Field again = make_field(mesh);
+  for (VMP::Cell_index c : mesh.cells()) assert(again.rates(c) == expected.rates(c)); // to the bit
+}
+
+void test_solvers_agree() {
+  const Mesh mesh = mesh_of(wedge(2));
+  const Field expected = solved(mesh);
+  test_bases(mesh, expected);
   const auto direct = solved<VMP::Flux_field_3<Mesh, VMP::Simplicial_solver_traits_3>>(mesh);
-  const Field again = solved(mesh);
-  for (VMP::Cell_index c : mesh.cells()) {
+  for (VMP::Cell_index c : mesh.cells())
     assert((direct.vector(c) - expected.vector(c)).squared_length() < 1e-22);
-    assert(again.rates(c) == expected.rates(c)); // to the bit
+}
+
+double mean_angle(const Mesh& mesh, const Field& field, const VMP::Harmonic_function_3<Mesh>& harmonic) {
+  double sum = 0, volume = 0;
+  for (VMP::Cell_index c : mesh.cells()) {
+    const Vector v = field.vector(c), g = harmonic.gradient(c);
+    const double cosine = v * g / std::sqrt(v.squared_length() * g.squared_length());
+    const double weight = VMP::internal::Cell_gradients(mesh, c).volume;
+    sum += weight * std::acos(std::min(1., cosine));
+    volume += weight;
   }
+  return sum / volume;
+}
+
+// What flows through the equilibrated flux is the energy of the harmonic function, to which each vertex of the ceiling gives
+// its share; that of the other flux is the energy of the best function in a larger space, so it is less. Both flow about
+// where the gradient points.
+void test_methods_agree() {
+  const Mesh mesh = mesh_of(wedge(1));
+  VMP::Harmonic_function_3<Mesh> harmonic(mesh);
+  const VMP::Status status = harmonic.solve();
+  assert(status.ok());
+  double energy = 0;
+  for (VMP::Cell_index c : mesh.cells())
+    energy += VMP::internal::Cell_gradients(mesh, c).volume * harmonic.gradient(c).squared_length();
+  const Field local = equilibrated(mesh), global = solved(mesh);
+  const double through_local = local.total_flux(VMP::CEILING), through_global = global.total_flux(VMP::CEILING);
+  const double local_angle = mean_angle(mesh, local, harmonic), global_angle = mean_angle(mesh, global, harmonic);
+  std::cout << "energy " << energy << ", fluxes " << through_local << " and " << through_global << ", angles to the gradient "
+            << local_angle << " and " << global_angle << std::endl;
+  assert(std::abs(through_local / energy - 1) < 1e-12);
+  assert(0.9 * energy < through_global && through_global < energy);
+  assert(local_angle < 0.3 && global_angle < 0.3);
 }
 
 void test_exact_kernel() {
@@ -169,6 +225,7 @@ void test_exact_kernel() {
   using Exact_mesh = VMP::Compact_tetrahedral_mesh_3<Exact_kernel>;
   const auto mesh = mesh_of<Exact_mesh>(Block_with_holes<Exact_kernel::Point_3>(1, 2, 2).soup());
   test_conservation(mesh, solved<VMP::Flux_field_3<Exact_mesh>>(mesh));
+  test_conservation(mesh, equilibrated<VMP::Flux_field_3<Exact_mesh>>(mesh));
 }
 
 // Rates of any sizes: the sum becomes 0 without rounding, no sign changes, and little else does.
@@ -221,9 +278,13 @@ void test_refusals() {
 }
 
 int main() {
-  for (int holes : {0, 1, 2}) test_block(holes);
-  test_parallel_facets();
-  test_invariance();
+  for (const auto make_field : {&solved<Field, Mesh>, &equilibrated<Field, Mesh>}) {
+    for (int holes : {0, 1, 2}) test_block(holes, make_field);
+    test_parallel_facets(make_field);
+    test_invariance(make_field);
+  }
+  test_solvers_agree();
+  test_methods_agree();
   test_exact_kernel();
   test_balance_rates();
   test_refusals();

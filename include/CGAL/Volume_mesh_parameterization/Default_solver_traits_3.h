@@ -10,6 +10,10 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
+#include <CGAL/Volume_mesh_parameterization/internal/Smoothed_aggregation.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Sparse_rows.h>
+#include <CGAL/Volume_mesh_parameterization/internal/solve_by_conjugate_gradients.h>
+
 #include <CGAL/Eigen_solver_traits.h>
 
 #include <Eigen/IterativeLinearSolvers>
@@ -18,6 +22,8 @@
 #include <Eigen/CholmodSupport>
 #endif
 
+#include <optional>
+
 namespace CGAL {
 namespace Volume_mesh_parameterization {
 
@@ -25,7 +31,7 @@ namespace Volume_mesh_parameterization {
 \ingroup PkgVolumeMeshParameterizationFields
 
 solves the linear systems of the fields by Eigen's method of conjugate gradients, which is faster and smaller than a
-factorization from some ten thousand unknowns on.
+factorization from some ten thousand unknowns on; the number of iterations grows with that of the cells.
 
 \cgalModels{SparseLinearAlgebraWithFactorTraits_d}
 
@@ -49,9 +55,54 @@ public:
   }
 };
 
+/*!
+\ingroup PkgVolumeMeshParameterizationFields
+
+solves the linear systems of the fields by the method of conjugate gradients, preconditioned by algebraic multigrid (smoothed
+aggregation; Vanek, Mandel and Brezina 1996): the number of iterations hardly grows with that of the unknowns.
+
+\cgalModels{SparseLinearAlgebraWithFactorTraits_d}
+
+Matrices must be symmetric and positive definite, with both halves stored.
+*/
+class Multigrid_solver_traits_3 {
+public:
+  using NT = double;
+  using Matrix = CGAL::Eigen_sparse_matrix<double>;
+  using Vector = CGAL::Eigen_vector<double>;
+
+  /// is the relative residual to reach: all digits that there are, as for `Conjugate_gradient_traits_3`.
+  static constexpr double tolerance = 1e-15;
+  /// is a bound against systems that are not positive definite: millions of cells need about thirty.
+  static constexpr int maximal_number_of_iterations = 1000;
+
+  /// prepares to solve systems with this matrix, which must live as long as they are solved.
+  bool factor(const Matrix& matrix, NT& denominator) {
+    denominator = 1;
+    const auto& m = matrix.eigen_object();
+    m_matrix = {m.outerIndexPtr(), m.innerIndexPtr(), m.valuePtr(), int(m.rows())};
+    m_preconditioner.emplace(m_matrix);
+    return true;
+  }
+
+  /// \pre `factor()` has been called
+  bool linear_solver(const Vector& right, Vector& solution) {
+    return internal::solve_by_conjugate_gradients(m_matrix, *m_preconditioner, right, tolerance,
+                                                  maximal_number_of_iterations, solution);
+  }
+
+  bool linear_solver(const Matrix& matrix, const Vector& right, Vector& solution, NT& denominator) {
+    return factor(matrix, denominator) && linear_solver(right, solution);
+  }
+
+private:
+  internal::Sparse_rows_view m_matrix;
+  std::optional<internal::Smoothed_aggregation> m_preconditioner;
+};
+
 /// \ingroup PkgVolumeMeshParameterizationFields
 /// is what the fields are solved with unless told otherwise.
-using Default_solver_traits_3 = Conjugate_gradient_traits_3<>;
+using Default_solver_traits_3 = Multigrid_solver_traits_3;
 
 /// \ingroup PkgVolumeMeshParameterizationFields
 /// factorizes by Eigen's \f$ LDL^T \f$: nothing to install, best for small meshes.

@@ -132,8 +132,7 @@ protected:
     stage("check the mesh", [&] { return read(mesh); });
     stage("validate the partition", [&] { return validate_solid(m_mesh, m_partition, m_certificate); });
     stage("prepare the patches", [&] { return prepare_patches(m_mesh, m_preparation); });
-    stage("solve for potential and flux, and sweep", [&] { return sweep_cells<ConcurrencyTag>(); });
-    stage("solve for the harmonic function", [&] { return solve(m_harmonic_function); });
+    stage("solve for the fields, and sweep", [&] { return sweep_cells<ConcurrencyTag>(); });
     stage("choose the curves", [&] { return choose_curves<ConcurrencyTag>(type, level); });
     return status;
   }
@@ -159,12 +158,19 @@ private:
     return status;
   }
 
+  Status solve_for_gradient() {
+    m_flux_field.reset();
+    const Status status = solve(m_harmonic_function);
+    if (status.ok()) m_flux_field.emplace(m_mesh).equilibrate(*m_harmonic_function);
+    return status;
+  }
+
   template <typename ConcurrencyTag>
-  Status solve_for_guide() {
+  Status solve_for_fields() {
     using Tag = internal::Concurrency_for<ConcurrencyTag, typename GeomTraits::FT>;
-    const auto solve_one = [this](std::size_t i) { return i == 0 ? solve(m_dual_potential) : solve(m_flux_field); };
+    const auto solve_one = [this](std::size_t i) { return i == 0 ? solve_for_gradient() : solve(m_dual_potential); };
     const Status status = internal::try_each_index<Tag>(2, solve_one, 1);
-    if (!m_dual_potential) m_flux_field.reset(); // as if one were solved for after the other
+    if (!m_flux_field) m_dual_potential.reset(); // as if one were solved for after the other
     return status;
   }
 
@@ -172,7 +178,7 @@ private:
   template <typename ConcurrencyTag>
   Status sweep_cells() {
     const auto guide = [this](const Mesh& mesh, Sweep_guide_3& result) {
-      const Status status = solve_for_guide<ConcurrencyTag>();
+      const Status status = solve_for_fields<ConcurrencyTag>();
       if (!status.ok()) return status;
       result = Sweep_guide_3(m_dual_potential->values());
       for (Cell_index c : mesh.cells()) result.signs.push_back(m_flux_field->signs(c));

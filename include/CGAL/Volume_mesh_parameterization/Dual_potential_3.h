@@ -14,8 +14,11 @@
 #include <CGAL/Volume_mesh_parameterization/Default_solver_traits_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Cell_gradients.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Dirichlet_problem.h>
-#include <CGAL/Volume_mesh_parameterization/internal/add_gradient_conductances.h>
 
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -44,14 +47,14 @@ public:
   /// `ERROR_SEVERAL_COMPONENTS` or `ERROR_CANNOT_SOLVE`
   Status solve() {
     std::vector<double> volumes;
-    Status status = compute_volumes(volumes);
+    Status status = internal::compute_volumes(*m_mesh, volumes);
     if (!status.ok()) return status;
     internal::Dirichlet_problem<Solver> problem("tetrahedron", label_nodes());
-    add_conductances(volumes, problem);
-    status = problem.solve();
+    status = problem.solve(Network{*this, volumes, crossed_facets()});
     if (!status.ok()) return status;
-    m_values.assign(problem.values().begin(), problem.values().begin() + m_mesh->number_of_cells());
     m_residual = problem.residual();
+    m_values = std::move(problem).take_values();
+    m_values.resize(m_mesh->number_of_cells());
     return {};
   }
 
@@ -80,28 +83,37 @@ private:
     return m_mesh->label(f) == FLOOR ? floor_node() : ceiling_node();
   }
 
-  Status compute_volumes(std::vector<double>& volumes) const {
-    for (Cell_index c : m_mesh->cells()) {
-      volumes.push_back(internal::Cell_gradients(*m_mesh, c).volume);
-      if (!(volumes.back() > 0)) return internal::flat_in_double(c);
-    }
-    return {};
-  }
-
-  // The centroid of a cell of volume V lies 3V / 4A away from a facet of area A.
-  void add_conductances(const std::vector<double>& volumes,
-                        internal::Dirichlet_problem<Solver>& problem) const {
-    problem.reserve(m_mesh->number_of_facets());
+  // Walls conduct nothing.
+  std::vector<Facet_index> crossed_facets() const {
+    std::vector<Facet_index> result;
     for (Facet_index f : m_mesh->facets()) {
       const int label = m_mesh->label(f);
-      if (m_mesh->is_boundary(f) && label != FLOOR && label != CEILING) continue;
-      const Cell_index c = m_mesh->half_facet(f).cell;
-      const Cell_index d = m_mesh->is_boundary(f) ? Cell_index() : m_mesh->half_facet(f, 1).cell;
-      const double volume = volumes[c] + (d.is_valid() ? volumes[d] : 0);
-      problem.add_conductance(c, d.is_valid() ? d : base_node(f),
-                              internal::squared_area(*m_mesh, f) / (0.75 * volume));
+      if (!m_mesh->is_boundary(f) || label == FLOOR || label == CEILING) result.push_back(f);
     }
+    return result;
   }
+
+  // Each facet joins its two cells, or its cell and the node of its base.
+  struct Network {
+    static constexpr int size_of_element = 2;
+
+    const Dual_potential_3& potential;
+    const std::vector<double>& volumes;
+    std::vector<Facet_index> facets;
+
+    std::size_t number_of_elements() const { return facets.size(); }
+
+    std::array<std::uint32_t, 2> nodes(std::size_t e) const {
+      const Mesh& mesh = *potential.m_mesh;
+      const Facet_index f = facets[e];
+      return {mesh.half_facet(f).cell,
+              mesh.is_boundary(f) ? std::uint32_t(potential.base_node(f)) : mesh.half_facet(f, 1).cell};
+    }
+
+    std::array<double, 1> conductances(std::size_t e) const {
+      return {internal::dual_conductance(*potential.m_mesh, facets[e], volumes)};
+    }
+  };
 
   const Mesh* m_mesh;
   std::vector<double> m_values;

@@ -14,7 +14,8 @@
 #include <CGAL/Volume_mesh_parameterization/Default_solver_traits_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Cell_gradients.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Dirichlet_problem.h>
-#include <CGAL/Volume_mesh_parameterization/internal/add_gradient_conductances.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Flux_equilibration.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Gradient_network.h>
 #include <CGAL/Volume_mesh_parameterization/internal/balance_rates.h>
 
 #include <algorithm>
@@ -53,22 +54,35 @@ public:
   /// keeps a reference to the mesh.
   explicit Flux_field_3(const Mesh& mesh) : m_mesh(&mesh) {}
 
-  /// computes the fluxes.
+  /// computes the fluxes of the non-conforming method, in the time of a linear system with one unknown per facet.
   /// \returns `ERROR_FLAT_TETRAHEDRON`, `ERROR_NUMBER_OF_PATCHES` (no floor or no ceiling),
   /// `ERROR_SEVERAL_COMPONENTS` or `ERROR_CANNOT_SOLVE`
   Status solve() {
+    std::vector<double> volumes;
+    Status status = internal::compute_volumes(*m_mesh, volumes);
+    if (!status.ok()) return status;
     internal::Dirichlet_problem<Solver> problem("facet", label_facets());
     const auto facet = [this](Cell_index c, int i) { return m_mesh->facet(c, i); };
-    Status status = internal::add_gradient_conductances(*m_mesh, 9, facet, problem);
-    if (status.ok()) status = problem.solve();
+    status = problem.solve(internal::Gradient_network<Mesh, decltype(facet)>(*m_mesh, 9, facet));
     if (!status.ok()) return status;
     m_residual = problem.residual();
     compute_fluxes(problem.values());
-    m_largest_divergence = compute_largest_divergence();
-    remove_noise();
-    remove_dead_ends();
-    compute_rates();
+    finish();
     return {};
+  }
+
+  /// computes fluxes from the gradient of `harmonic_function`, which jumps across facets: the means of both sides, made
+  /// conservative around each vertex (Braess and Schöberl 2008). No linear system of the size of the mesh is solved.
+  /// \tparam Harmonic_function `Harmonic_function_3` of the same mesh
+  /// \pre `harmonic_function` is solved
+  template <typename Harmonic_function>
+  void equilibrate(const Harmonic_function& harmonic_function) {
+    std::vector<double> volumes;
+    for (Cell_index c : m_mesh->cells()) volumes.push_back(internal::Cell_gradients(*m_mesh, c).volume);
+    m_residual = harmonic_function.residual();
+    const auto gradient = [&](Cell_index c) { return harmonic_function.gradient(c); };
+    m_fluxes = internal::Flux_equilibration<Mesh>(*m_mesh, volumes).fluxes(gradient);
+    finish();
   }
 
   /// returns the flux through `f` from the cell of `half_facet(f)` to the other one, or outwards on the boundary.
@@ -143,6 +157,13 @@ private:
         if (!is_wall(f)) m_fluxes[f] += m_mesh->half_facet(f).cell == c ? share * outflow : -share * outflow;
       }
     }
+  }
+
+  void finish() {
+    m_largest_divergence = compute_largest_divergence();
+    remove_noise();
+    remove_dead_ends();
+    compute_rates();
   }
 
   double compute_largest_divergence() const {

@@ -14,8 +14,11 @@
 #include <CGAL/Volume_mesh_parameterization/Default_solver_traits_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Cell_gradients.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Dirichlet_problem.h>
-#include <CGAL/Volume_mesh_parameterization/internal/add_gradient_conductances.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Gradient_network.h>
 
+#include <cstddef>
+#include <cstdint>
+#include <numeric>
 #include <string>
 #include <utility>
 #include <vector>
@@ -48,14 +51,15 @@ public:
   /// ceiling), `ERROR_SEVERAL_COMPONENTS` or `ERROR_CANNOT_SOLVE`
   Status solve() {
     std::vector<int> labels;
+    std::vector<double> volumes;
     Status status = label_vertices(labels);
+    if (status.ok()) status = internal::compute_volumes(*m_mesh, volumes);
     if (!status.ok()) return status;
-    Problem problem("vertex", std::move(labels));
-    status = add_conductances(problem);
-    if (status.ok()) status = problem.solve();
+    internal::Dirichlet_problem<Solver> problem("vertex", std::move(labels));
+    status = problem.solve(network());
     if (!status.ok()) return status;
-    m_values = problem.values();
     m_residual = problem.residual();
+    m_values = std::move(problem).take_values();
     return {};
   }
 
@@ -83,15 +87,24 @@ public:
     return result;
   }
 
-  /// returns the share of edges with a negative weight, in \f$ O(n \log n) \f$.
+  /// returns the share of edges with a negative weight, in \f$ O(n \log n) \f$: where there are some, the maximum
+  /// principle is not assured.
+  /// \pre all cells are positive in double, as they are when `solve()` succeeded
   double share_of_negative_weights() const {
-    Problem problem("vertex", {});
-    return add_conductances(problem).ok() ? problem.share_of_negative_conductances() : 0;
+    std::vector<std::uint32_t> rows(m_mesh->number_of_vertices());
+    std::iota(rows.begin(), rows.end(), 0);
+    const internal::Laplacian laplacian(network(), rows, rows.size(), {});
+    const auto& matrix = laplacian.matrix;
+    std::size_t negative = 0, all = 0; // entries off the diagonal are the weights, with the opposite sign
+    for (int i = 0; i < matrix.outerSize(); ++i)
+      for (internal::Laplacian::Matrix::InnerIterator entry(matrix, i); entry; ++entry) {
+        all += entry.row() != i;
+        negative += entry.row() != i && entry.value() > 0;
+      }
+    return all == 0 ? 0 : double(negative) / double(all);
   }
 
 private:
-  using Problem = internal::Dirichlet_problem<Solver>;
-
   Status label_vertices(std::vector<int>& labels) const {
     labels.assign(m_mesh->number_of_vertices(), INTERIOR);
     for (Facet_index f : m_mesh->boundary_facets()) {
@@ -106,9 +119,9 @@ private:
     return {};
   }
 
-  Status add_conductances(Problem& problem) const {
+  auto network() const {
     const auto vertex = [this](Cell_index c, int i) { return m_mesh->vertex(c, i); };
-    return internal::add_gradient_conductances(*m_mesh, 1, vertex, problem);
+    return internal::Gradient_network<Mesh, decltype(vertex)>(*m_mesh, 1, vertex);
   }
 
   const Mesh* m_mesh;

@@ -11,8 +11,11 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/Compact_tetrahedral_mesh_3.h>
+#include <CGAL/Volume_mesh_parameterization/Error_code.h>
 
 #include <array>
+#include <string>
+#include <vector>
 
 namespace CGAL {
 namespace Volume_mesh_parameterization {
@@ -55,6 +58,27 @@ double squared_area(const Mesh& mesh, Facet_index f) {
   return CGAL::cross_product(approximate(mesh.point(v[1])) - p, approximate(mesh.point(v[2])) - p)
              .squared_length() /
          4;
+}
+
+// The weight of a facet in the dual graph: its area, divided by the sum of the distances of the centroids of its cells. That
+// of a cell of volume V lies 3V / 4A away from a facet of area A.
+template <typename Mesh>
+double dual_conductance(const Mesh& mesh, Facet_index f, const std::vector<double>& volumes) {
+  double volume = volumes[mesh.half_facet(f).cell];
+  if (!mesh.is_boundary(f)) volume += volumes[mesh.half_facet(f, 1).cell];
+  return squared_area(mesh, f) / (0.75 * volume);
+}
+
+// computes the volumes of all cells; returns ERROR_FLAT_TETRAHEDRON if one is not positive in double.
+template <typename Mesh>
+Status compute_volumes(const Mesh& mesh, std::vector<double>& volumes) {
+  volumes.resize(mesh.number_of_cells());
+  for (Cell_index c : mesh.cells()) {
+    volumes[c] = Cell_gradients(mesh, c).volume;
+    if (!(volumes[c] > 0))
+      return {ERROR_FLAT_TETRAHEDRON, "the volume of tetrahedron " + std::to_string(c) + " is not positive in double"};
+  }
+  return {};
 }
 
 } // namespace internal

@@ -13,8 +13,7 @@
 #include <CGAL/Volume_mesh_parameterization/Error_code.h>
 #include <CGAL/Volume_mesh_parameterization/Tetrahedron_soup_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Disjoint_sets.h>
-
-#include <Eigen/Core>
+#include <CGAL/Volume_mesh_parameterization/internal/Laplacian.h>
 
 #include <algorithm>
 #include <cmath>
@@ -28,16 +27,16 @@ namespace CGAL {
 namespace Volume_mesh_parameterization {
 namespace internal {
 
-// Eigen's solvers for symmetric matrices tell which half they read: then the other one need not be stored.
-template <typename Solver, typename = void>
-struct Reads_lower_half : std::false_type {};
-template <typename Solver>
-struct Reads_lower_half<Solver, std::enable_if_t<int(Solver::Solver::UpLo) == int(Eigen::Lower)>>
+// Matrices of CGAL that wrap one of Eigen: it can be given to them as it is.
+template <typename Matrix, typename = void>
+struct Wraps_eigen_matrix : std::false_type {};
+template <typename Matrix>
+struct Wraps_eigen_matrix<Matrix, std::enable_if_t<std::is_same<typename Matrix::EigenType, Laplacian::Matrix>::value>>
     : std::true_type {};
 
 // Laplace's equation on a weighted graph: floor nodes are held at 0, ceiling nodes at 1, and at every other node i
 // the sum over its edges of k_ij (x_i - x_j) vanishes. All fields are this problem, on the vertices, the facets or
-// the cells of the mesh.
+// the cells of the mesh. See `Laplacian` for what a network is.
 //
 // Solver is a model of SparseLinearAlgebraWithFactorTraits_d.
 template <typename Solver>
@@ -49,52 +48,27 @@ public:
   // `labels` are FLOOR, CEILING or anything else for the unknown nodes; errors call node i "name i".
   Dirichlet_problem(const char* name, std::vector<int> labels) : m_name(name), m_labels(std::move(labels)) {}
 
-  void reserve(std::size_t number_of_conductances) { m_conductances.reserve(number_of_conductances); }
-
-  // Repeated pairs add up.
-  void add_conductance(std::size_t i, std::size_t j, double k) {
-    m_conductances.push_back({std::uint32_t(i), std::uint32_t(j), k});
-  }
-
   // returns ERROR_NUMBER_OF_PATCHES (no floor or no ceiling), ERROR_SEVERAL_COMPONENTS or ERROR_CANNOT_SOLVE.
-  Status solve(Solver solver = Solver()) {
+  template <typename Network>
+  Status solve(const Network& network) {
     m_values.assign(m_labels.size(), 0);
     for (std::size_t i = 0; i < m_labels.size(); ++i) m_values[i] = m_labels[i] == CEILING;
     Status status = check_bases();
-    if (status.ok()) status = check_connection();
-    if (status.ok()) status = solve_for_unknowns(solver);
-    return status;
+    if (status.ok()) status = check_connection(network);
+    if (!status.ok()) return status;
+    solve_for_unknowns(network);
+    m_residual = compute_residual(network);
+    if (m_residual <= largest_residual) return {};
+    return {ERROR_CANNOT_SOLVE, "relative residual " + std::to_string(m_residual)};
   }
 
   const std::vector<double>& values() const { return m_values; }
+  std::vector<double> take_values() && { return std::move(m_values); }
 
   // returns the norm of the residual divided by the norm of the right-hand side.
   double residual() const { return m_residual; }
 
-  // returns the share of edges with a negative weight: where there are some, the maximum principle is not assured.
-  double share_of_negative_conductances() const {
-    std::vector<Conductance> edges = m_conductances;
-    for (Conductance& e : edges)
-      if (e.i > e.j) std::swap(e.i, e.j);
-    std::sort(edges.begin(), edges.end());
-    std::size_t negative = 0, all = 0;
-    for (auto e = edges.begin(); e != edges.end(); ++all) {
-      double k = 0;
-      for (const Conductance first = *e; e != edges.end() && e->i == first.i && e->j == first.j; ++e)
-        k += e->k;
-      negative += k < 0;
-    }
-    return all == 0 ? 0 : double(negative) / double(all);
-  }
-
 private:
-  struct Conductance {
-    std::uint32_t i, j;
-    double k;
-    // by weight too, so that sums do not depend on the order of insertion
-    bool operator<(const Conductance& e) const { return i != e.i ? i < e.i : j != e.j ? j < e.j : k < e.k; }
-  };
-
   bool is_fixed(std::size_t i) const { return m_labels[i] == FLOOR || m_labels[i] == CEILING; }
 
   Status check_bases() const {
@@ -105,9 +79,13 @@ private:
   }
 
   // The matrix is singular if and only if some nodes are connected to no fixed one.
-  Status check_connection() const {
+  template <typename Network>
+  Status check_connection(const Network& network) const {
     Disjoint_sets components(m_labels.size());
-    for (const Conductance& e : m_conductances) components.join(e.i, e.j);
+    for (std::size_t e = 0; e < network.number_of_elements(); ++e) {
+      const auto nodes = network.nodes(e);
+      for (int k = 1; k < Network::size_of_element; ++k) components.join(nodes[0], nodes[k]);
+    }
     std::vector<char> is_held(m_labels.size(), 0);
     for (std::uint32_t i = 0; i < m_labels.size(); ++i)
       if (is_fixed(i)) is_held[components.representative(i)] = 1;
@@ -120,65 +98,57 @@ private:
 
   // returns the numbers of the unknowns and their count.
   std::pair<std::vector<std::uint32_t>, std::uint32_t> number_unknowns() const {
-    std::vector<std::uint32_t> number(m_labels.size());
+    std::vector<std::uint32_t> number(m_labels.size(), Laplacian::known);
     std::uint32_t n = 0;
-    for (std::size_t i = 0; i < m_labels.size(); ++i) number[i] = is_fixed(i) ? n : n++;
+    for (std::size_t i = 0; i < m_labels.size(); ++i)
+      if (!is_fixed(i)) number[i] = n++;
     return {std::move(number), n};
   }
 
-  Status solve_for_unknowns(Solver& solver) {
+  // Whether the solver has succeeded is left to the residual: an iteration may miss its tolerance by the last digit.
+  template <typename Network>
+  void solve_for_unknowns(const Network& network) {
     const auto [number, n] = number_unknowns();
-    m_residual = 0;
-    if (n == 0) return {};
-    typename Solver::Matrix matrix = symmetric_matrix(n);
+    if (n == 0) return;
+    Laplacian laplacian(network, number, n, m_values);
+    const typename Solver::Matrix matrix = matrix_of(std::move(laplacian.matrix));
     typename Solver::Vector right(n), solution(n);
-    for (std::uint32_t i = 0; i < n; ++i) right[i] = solution[i] = 0;
-    assemble(number, matrix, right);
+    for (std::uint32_t i = 0; i < n; ++i) {
+      right[i] = laplacian.right[i];
+      solution[i] = 0;
+    }
     typename Solver::NT denominator = 1;
-    // the residual decides: an iteration may miss its tolerance by the last digit
+    Solver solver;
     if (solver.factor(matrix, denominator)) solver.linear_solver(right, solution);
     for (std::size_t i = 0; i < m_labels.size(); ++i)
       if (!is_fixed(i)) m_values[i] = solution[number[i]] / denominator;
-    m_residual = compute_residual();
-    if (m_residual <= largest_residual) return {};
-    return {ERROR_CANNOT_SOLVE, "relative residual " + std::to_string(m_residual)};
   }
 
   template <typename Matrix = typename Solver::Matrix>
-  static Matrix symmetric_matrix(int n) {
-    if constexpr (Reads_lower_half<Solver>::value && std::is_constructible<Matrix, int, int, bool>::value)
-      return Matrix(n, n, true);
+  static Matrix matrix_of(Laplacian::Matrix laplacian) {
+    Matrix matrix(int(laplacian.rows()));
+    if constexpr (Wraps_eigen_matrix<Matrix>::value)
+      matrix.eigen_object() = std::move(laplacian);
     else
-      return Matrix(n);
-  }
-
-  // Both halves are offered: one that stores half ignores the upper one.
-  template <typename Matrix, typename Vector>
-  void assemble(const std::vector<std::uint32_t>& number, Matrix& matrix, Vector& right) const {
-    std::vector<double> diagonal(right.dimension(), 0);
-    for (const Conductance& e : m_conductances)
-      if (!is_fixed(e.i) && !is_fixed(e.j)) {
-        matrix.add_coef(number[e.i], number[e.j], -e.k);
-        matrix.add_coef(number[e.j], number[e.i], -e.k);
-        diagonal[number[e.i]] += e.k;
-        diagonal[number[e.j]] += e.k;
-      } else if (!is_fixed(e.i) || !is_fixed(e.j)) {
-        const auto [unknown, fixed] = is_fixed(e.i) ? std::make_pair(e.j, e.i) : std::make_pair(e.i, e.j);
-        diagonal[number[unknown]] += e.k;
-        right[number[unknown]] += e.k * m_values[fixed];
-      }
-    for (std::size_t i = 0; i < diagonal.size(); ++i) matrix.add_coef(i, i, diagonal[i]);
+      for (int j = 0; j < laplacian.outerSize(); ++j)
+        for (Laplacian::Matrix::InnerIterator entry(laplacian, j); entry; ++entry)
+          matrix.add_coef(int(entry.row()), j, entry.value());
+    return matrix;
   }
 
   // From the conductances, not from the matrix: it checks the assembly too.
-  double compute_residual() const {
+  template <typename Network>
+  double compute_residual(const Network& network) const {
     std::vector<double> currents(m_labels.size(), 0), right(m_labels.size(), 0);
-    for (const Conductance& e : m_conductances) {
-      const double current = e.k * (m_values[e.i] - m_values[e.j]);
-      currents[e.i] += current;
-      currents[e.j] -= current;
-      if (m_labels[e.i] == CEILING) right[e.j] += e.k;
-      if (m_labels[e.j] == CEILING) right[e.i] += e.k;
+    for (std::size_t e = 0; e < network.number_of_elements(); ++e) {
+      const auto conductances = network.conductances(e);
+      for_each_pair(network, e, [&](int k, std::uint32_t i, std::uint32_t j) {
+        const double current = conductances[k] * (m_values[i] - m_values[j]);
+        currents[i] += current;
+        currents[j] -= current;
+        if (m_labels[i] == CEILING) right[j] += conductances[k];
+        if (m_labels[j] == CEILING) right[i] += conductances[k];
+      });
     }
     double squared_residual = 0, squared_right = 0;
     for (std::size_t i = 0; i < m_labels.size(); ++i)
@@ -191,7 +161,6 @@ private:
 
   std::string m_name;
   std::vector<int> m_labels;
-  std::vector<Conductance> m_conductances;
   std::vector<double> m_values;
   double m_residual = 0;
 };
