@@ -67,9 +67,9 @@ Matrices must be symmetric and positive definite, with both halves stored.
 */
 class Multigrid_solver_traits_3 {
 public:
-  using NT = double;
-  using Matrix = CGAL::Eigen_sparse_matrix<double>;
-  using Vector = CGAL::Eigen_vector<double>;
+  using NT = double;                                ///< the number type
+  using Matrix = CGAL::Eigen_sparse_matrix<double>; ///< by rows, both halves stored
+  using Vector = CGAL::Eigen_vector<double>;        ///< a dense vector
 
   /// is the relative residual to reach: all digits that there are, as for `Conjugate_gradient_traits_3`.
   static constexpr double tolerance = 1e-15;
@@ -85,12 +85,14 @@ public:
     return true;
   }
 
+  /// solves for one right-hand side.
   /// \pre `factor()` has been called
   bool linear_solver(const Vector& right, Vector& solution) {
     return internal::solve_by_conjugate_gradients(m_matrix, *m_preconditioner, right, tolerance,
                                                   maximal_number_of_iterations, solution);
   }
 
+  /// prepares and solves.
   bool linear_solver(const Matrix& matrix, const Vector& right, Vector& solution, NT& denominator) {
     return factor(matrix, denominator) && linear_solver(right, solution);
   }

@@ -56,6 +56,8 @@ numbers the points and the cells of a mesh anew, along a curve that fills space:
 in memory as well, and all stages wait less for it. Meshers and refinement leave cells in an order that makes large meshes
 two to three times as slow.
 
+\tparam Point a point type of a \cgal kernel
+
 \param soup a mesh; all vertex numbers are in range and coordinates are finite
 \param number_of_points_to_keep how many of the first points keep their numbers
 
