@@ -62,8 +62,8 @@ public:
   /// \name Construction
   /// @{
 
-  /// copies `mesh` and its labels in \f$ O(n \log n) \f$. Indices are checked, geometry and topology are not:
-  /// see `check_tetrahedral_mesh()`.
+  /// copies `mesh` and its labels, in linear time for vertices of bounded degree. Indices are checked, geometry and
+  /// topology are not: see `check_tetrahedral_mesh()`.
   /// \tparam TetrahedralMesh a model of `TetrahedralMesh_3`
   /// \returns `ERROR_EMPTY_MESH`, `ERROR_INDEX_OUT_OF_RANGE`, `ERROR_NON_MANIFOLD` (a facet in three cells) or
   /// `ERROR_LABEL_NOT_ON_BOUNDARY`; then the mesh is left empty

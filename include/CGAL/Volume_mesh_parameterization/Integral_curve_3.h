@@ -250,8 +250,8 @@ private:
     return lost(at, "is passed twice");
   }
 
-  // The facet through which the curve leaves and when; -1 if there is none. The cells to which it may go are fetched while it
-  // is found out to which one it does.
+  // The facet through which the curve leaves and when; -1 if there is none. The cells to which it may go are fetched
+  // meanwhile.
   std::pair<int, FT> exit_of(const Cell& cell, const Location& at, Curve_direction direction) const {
     const internal::Facet_list& facets = direction == DOWN ? cell.entries : cell.exits;
     int exit = -1;

@@ -235,8 +235,8 @@ Status check_boundary_connected(const Compact_tetrahedral_mesh_3<GeomTraits>& me
 /*!
 \ingroup PkgVolumeMeshParameterizationVerification
 
-checks that the mesh is a connected 3-manifold of positive tetrahedra whose boundary is connected, in
-\f$ O(n \log n) \f$.
+checks that the mesh is a connected 3-manifold of positive tetrahedra whose boundary is connected, in almost linear time for
+vertices of bounded degree.
 
 \tparam GeomTraits a model of `VolumeParameterizationTraits_3`
 
