@@ -132,7 +132,7 @@ protected:
     stage("check the mesh", [&] { return read(mesh); });
     stage("validate the partition", [&] { return validate_solid(m_mesh, m_partition, m_certificate); });
     stage("prepare the patches", [&] { return prepare_patches(m_mesh, m_preparation); });
-    stage("solve for the fields, and sweep", [&] { return sweep_cells<ConcurrencyTag>(); });
+    stage("solve for the fields, and sweep", [&] { return sweep_cells<ConcurrencyTag>(type); });
     stage("choose the curves", [&] { return choose_curves<ConcurrencyTag>(type, level); });
     return status;
   }
@@ -158,17 +158,21 @@ private:
     return status;
   }
 
-  Status solve_for_gradient() {
+  // Curves that are to be those of the flux itself are worth the smoother flux.
+  Status solve_for_gradient(Curve_type type) {
     m_flux_field.reset();
-    const Status status = solve(m_harmonic_function);
-    if (status.ok()) m_flux_field.emplace(m_mesh).equilibrate(*m_harmonic_function);
+    Status status = solve(m_harmonic_function);
+    if (status.ok() && type == FLUX_CURVES)
+      status = solve(m_flux_field);
+    else if (status.ok())
+      m_flux_field.emplace(m_mesh).equilibrate(*m_harmonic_function);
     return status;
   }
 
   template <typename ConcurrencyTag>
-  Status solve_for_fields() {
+  Status solve_for_fields(Curve_type type) {
     using Tag = internal::Concurrency_for<ConcurrencyTag, typename GeomTraits::FT>;
-    const auto solve_one = [this](std::size_t i) { return i == 0 ? solve_for_gradient() : solve(m_dual_potential); };
+    const auto solve_one = [&](std::size_t i) { return i == 0 ? solve_for_gradient(type) : solve(m_dual_potential); };
     const Status status = internal::try_each_index<Tag>(2, solve_one, 1);
     if (!m_flux_field) m_dual_potential.reset(); // as if one were solved for after the other
     return status;
@@ -176,9 +180,9 @@ private:
 
   // The order is checked by code that shares nothing with the sweep.
   template <typename ConcurrencyTag>
-  Status sweep_cells() {
-    const auto guide = [this](const Mesh& mesh, Sweep_guide_3& result) {
-      const Status status = solve_for_fields<ConcurrencyTag>();
+  Status sweep_cells(Curve_type type) {
+    const auto guide = [&](const Mesh& mesh, Sweep_guide_3& result) {
+      const Status status = solve_for_fields<ConcurrencyTag>(type);
       if (!status.ok()) return status;
       result = Sweep_guide_3(m_dual_potential->values());
       for (Cell_index c : mesh.cells()) result.signs.push_back(m_flux_field->signs(c));

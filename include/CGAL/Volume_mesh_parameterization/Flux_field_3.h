@@ -33,8 +33,10 @@ namespace Volume_mesh_parameterization {
 is the gradient of the harmonic function as a field without sources: one constant vector per cell, one flux per facet,
 the same seen from both cells, exactly 0 through walls.
 
-It is the gradient of the non-conforming solution of Crouzeix and Raviart, whose fluxes are those of the lowest-order
-mixed method of Raviart and Thomas (Marini 1985). It points upwards, from the floor to the ceiling.
+There are two such fields, in fluxes of the lowest-order elements of Raviart and Thomas. Both point upwards, from the floor to
+the ceiling. That of `equilibrate()` is made from the harmonic function, around each vertex on its own: it costs about as much
+as the harmonic function did. That of `solve()` has the least energy: it is the gradient of the non-conforming solution of
+Crouzeix and Raviart (Marini 1985), a linear system with one unknown per facet.
 
 Its integral curves need no certificate to be computed, and have none: the field may have cycles, and where the
 harmonic function is flat the signs of its fluxes are noise. See `Product_structure_3` for the certified curves.

@@ -133,6 +133,8 @@ private:
       }
       append(i, i, m_diagonal[i]);
     }
+    m_diagonal = {};
+    m_end = {};
     m_lower = {};
   }
 

@@ -100,9 +100,8 @@ private:
     if (n > largest_share * fine.matrix.size) return false;
     fine.prolongation = smoothed_prolongation(fine, least_coupling, aggregates, n);
     fine.restriction = fine.prolongation.transposed();
-    const Sparse_rows image = product(fine.matrix, fine.prolongation);
-    // the transpose of a symmetric matrix is the same, but its columns are in order
-    m_levels.emplace_back(product(fine.restriction.view(), image).transposed());
+    const Sparse_rows coarse = product(fine.restriction.view(), product(fine.matrix, fine.prolongation));
+    m_levels.emplace_back(coarse.transposed()); // of a symmetric matrix it is the same, but its columns are in order
     return true;
   }
 
@@ -166,6 +165,7 @@ private:
                               [&](int k) { result.add(aggregates[a.columns[k]], -damping * a.values[k] / diagonal); });
       result.end_row();
     }
+    result.shrink_to_fit();
     return result;
   }
 

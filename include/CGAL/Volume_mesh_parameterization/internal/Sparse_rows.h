@@ -12,6 +12,7 @@
 
 #include <cstddef>
 #include <numeric>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -62,6 +63,17 @@ public:
   }
   void end_row() { m_first.push_back(int(m_columns.size())); }
 
+  // Room for all entries at once spares the copies, and the space, of arrays that grow.
+  void reserve(std::size_t number_of_rows, std::size_t number_of_entries) {
+    m_first.reserve(number_of_rows + 1);
+    m_columns.reserve(number_of_entries);
+    m_values.reserve(number_of_entries);
+  }
+  void shrink_to_fit() {
+    m_columns.shrink_to_fit();
+    m_values.shrink_to_fit();
+  }
+
   // The columns of the result increase within each row.
   Sparse_rows transposed() const {
     Sparse_rows result(size());
@@ -88,10 +100,22 @@ private:
   std::vector<int> m_place; // where a column was added last
 };
 
+inline std::size_t number_of_entries_of_product(const Sparse_rows_view& a, const Sparse_rows& b) {
+  const Sparse_rows_view rows = b.view();
+  std::vector<int> last_row(std::size_t(b.number_of_columns()), -1);
+  std::size_t result = 0;
+  for (int i = 0; i < a.size; ++i)
+    for (int k = a.first[i]; k < a.first[i + 1]; ++k)
+      for (int l = rows.first[a.columns[k]]; l < rows.first[a.columns[k] + 1]; ++l)
+        if (std::exchange(last_row[std::size_t(rows.columns[l])], i) != i) ++result;
+  return result;
+}
+
 // returns a * b, row by row (Gustavson 1978).
 inline Sparse_rows product(const Sparse_rows_view& a, const Sparse_rows& b) {
   const Sparse_rows_view rows = b.view();
   Sparse_rows result(b.number_of_columns());
+  result.reserve(std::size_t(a.size), number_of_entries_of_product(a, b));
   for (int i = 0; i < a.size; ++i) {
     for (int k = a.first[i]; k < a.first[i + 1]; ++k)
       for (int l = rows.first[a.columns[k]]; l < rows.first[a.columns[k] + 1]; ++l)
