@@ -3,6 +3,7 @@
 # and, for each optional library that is found, a target to link in addition:
 #   CGAL::TetGen_support    defines CGAL_VOLUME_MESH_PARAMETERIZATION_USE_TETGEN; mind TetGen's licence, the AGPL
 #   CGAL::CHOLMOD_support   defines CGAL_VOLUME_MESH_PARAMETERIZATION_USE_CHOLMOD
+#   CGAL::PETSc_support     defines CGAL_VOLUME_MESH_PARAMETERIZATION_USE_PETSC
 #   CGAL::TBB_support       CGAL's own
 # With CGAL 6.1 or later also
 #   CGAL::Constrained_Delaunay_support   defines CGAL_VOLUME_MESH_PARAMETERIZATION_USE_CONSTRAINED_DELAUNAY: surfaces are
@@ -59,10 +60,13 @@ endif()
 list(APPEND CMAKE_MODULE_PATH "${CMAKE_CURRENT_LIST_DIR}")
 find_package(TetGen QUIET)
 find_package(CHOLMOD QUIET)
+find_package(PETSc QUIET)
 find_package(TBB QUIET)
 include(CGAL_TBB_support)
 cgal_add_optional_support(TetGen TetGen::TetGen CGAL_VOLUME_MESH_PARAMETERIZATION_USE_TETGEN
   "triangle surfaces are filled with tetrahedra only with CGAL 6.1 or later, else only tetrahedral meshes are taken")
 cgal_add_optional_support(CHOLMOD CHOLMOD::CHOLMOD CGAL_VOLUME_MESH_PARAMETERIZATION_USE_CHOLMOD
   "Eigen solves all linear systems")
+cgal_add_optional_support(PETSc PETSc::PETSc CGAL_VOLUME_MESH_PARAMETERIZATION_USE_PETSC
+  "there is no algebraic multigrid, and no program for several machines")
 cgal_add_optional_support(TBB CGAL::TBB_support "" "all stages run in one thread")

@@ -6,6 +6,7 @@ root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 
 compiler_packages=(cmake g++ make)
 library_packages=(libcgal-dev libeigen3-dev libtet1.5-dev libtbb-dev libcli11-dev nlohmann-json3-dev)
+petsc_packages=(libpetsc-real-dev openmpi-bin pkg-config) # PETSc with MPI: algebraic multigrid, several machines
 
 say() { printf '%s\n' "$*"; }
 

@@ -11,7 +11,7 @@ if [ $# -gt 0 ]; then
 fi
 
 build=$root/build-test
-install "${compiler_packages[@]}" "${library_packages[@]}" doxygen
+install "${compiler_packages[@]}" "${library_packages[@]}" "${petsc_packages[@]}" doxygen
 provide_cgal_data "$build/cgal"
 
 # -O1: most of the time goes into compilation

@@ -4,6 +4,7 @@
 #include "types.h"
 
 #include <CGAL/Volume_mesh_parameterization/Default_solver_traits_3.h>
+#include <CGAL/Volume_mesh_parameterization/Petsc_solver_traits_3.h>
 
 #include <string>
 #include <variant>
@@ -22,14 +23,20 @@ public:
 #ifdef CGAL_VOLUME_MESH_PARAMETERIZATION_USE_CHOLMOD
     if (name() == "cholmod") m_solver.emplace<VMP::Cholmod_solver_traits_3>();
 #endif
+#ifdef CGAL_VOLUME_MESH_PARAMETERIZATION_USE_PETSC
+    if (name() == "petsc") m_solver.emplace<VMP::Petsc_solver_traits_3>();
+#endif
   }
 
   static std::vector<std::string> names() {
+    return {"cg", "ldlt",
 #ifdef CGAL_VOLUME_MESH_PARAMETERIZATION_USE_CHOLMOD
-    return {"cg", "ldlt", "cholmod"};
-#else
-    return {"cg", "ldlt"};
+            "cholmod",
 #endif
+#ifdef CGAL_VOLUME_MESH_PARAMETERIZATION_USE_PETSC
+            "petsc",
+#endif
+    };
   }
   static void choose(const std::string& name_of_solver) { name() = name_of_solver; }
 
@@ -53,6 +60,10 @@ private:
 #ifdef CGAL_VOLUME_MESH_PARAMETERIZATION_USE_CHOLMOD
                ,
                VMP::Cholmod_solver_traits_3
+#endif
+#ifdef CGAL_VOLUME_MESH_PARAMETERIZATION_USE_PETSC
+               ,
+               VMP::Petsc_solver_traits_3
 #endif
                >
       m_solver;
