@@ -4,7 +4,7 @@
 usage: make_table.py RESULT_FOLDER...
 
 Each folder has a report.json, which may also be named itself. The first table tells what was measured of the maps, the
-second one the CPU seconds of each stage. What a report does not tell is shown as -; where there is no piecewise linear
+second one the CPU seconds of each stage, the third one what was measured of hexahedra if there are any. What a report does not tell is shown as -; where there is no piecewise linear
 map, the table says why.
 
 Exit: 0 the tables are printed, 1 a report cannot be read, 2 wrong usage.
@@ -33,6 +33,10 @@ def main(arguments):
     print_table(table_of_maps(reports))
     print()
     print_table(table_of_stages(reports))
+    with_hexahedra = [r for r in reports if "hexahedra" in r[1]]
+    if with_hexahedra:
+        print()
+        print_table(table_of_hexahedra(with_hexahedra))
     return 0
 
 
@@ -46,8 +50,16 @@ def print_table(rows):
         print("| " + " | ".join(cell.replace("|", "\\|") for cell in row) + " |")
 
 
+def table_of(columns, reports):
+    return [["model", *columns]] + [[name(*r), *(column(r[1]) for column in columns.values())] for r in reports]
+
+
 def table_of_maps(reports):
-    return [["model", *COLUMNS]] + [[name(*r), *(column(r[1]) for column in COLUMNS.values())] for r in reports]
+    return table_of(COLUMNS, reports)
+
+
+def table_of_hexahedra(reports):
+    return table_of(HEXAHEDRA_COLUMNS, reports)
 
 
 def table_of_stages(reports):
@@ -119,6 +131,11 @@ def percent(share):
     return f"{100 * share:.2g} %"
 
 
+def volume_error(report):
+    fit = report.get("hexahedra", {}).get("fit", {})
+    return percent(fit["volume"] / fit["volume_of_solid"] - 1) if fit else NOTHING
+
+
 COLUMNS = {
     "genus": values("counts", "genus", str),
     "tetrahedra": values("counts", "tetrahedra", "{:,}".format),
@@ -135,6 +152,18 @@ COLUMNS = {
         of_linear_map(values("piecewise_linear_map/w_lines_to_gradient_of_w", "median quantile_95", to_surface)),
     "distance to &phi;, mean / maximum":
         of_linear_map(values("piecewise_linear_map/distance_to_phi/at_barycentres", "mean maximum", percent)),
+}
+
+HEXAHEDRA_COLUMNS = {
+    "hexahedra": values("hexahedra", "number", "{:,}".format),
+    "pillow": values("hexahedra", "pillow", lambda has_pillow: "yes" if has_pillow else "no"),
+    "inverted": values("hexahedra", "inverted", str),
+    "irregular edges": values("hexahedra", "irregular_interior_edges", str),
+    "scaled Jacobian, minimum / mean":
+        values("hexahedra", "minimum_scaled_jacobian mean_scaled_jacobian", "{:.3f}".format),
+    "greatest distance in edges": values("hexahedra/fit", "greatest_distance_by_mean_edge", "{:.2f}".format),
+    "volume error": volume_error,
+    "Euler characteristic": values("hexahedra", "euler_characteristic", str),
 }
 
 if __name__ == "__main__":

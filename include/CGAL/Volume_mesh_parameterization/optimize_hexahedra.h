@@ -42,6 +42,9 @@ struct Hexahedra_optimization {
       0.5; ///< the least scaled Jacobian that is aimed at as long as the mean does not suffer
   /// how far a node may leave its patch or rim, as a share of the edges around, where hexahedra are inverted or flat otherwise
   double surface_tolerance = 0.1;
+  /// how far the middles of boundary quadrilaterals and of their sides may get from the surface, in mean sides, unless they were
+  /// farther in the beginning
+  double greatest_distance = 0.4;
   /// whether nodes of a rim, where that is no crease, may leave it for the patches at its sides, and nodes of these may
   /// cross it
   bool slides_over_smooth_rims = false;
@@ -91,6 +94,30 @@ Status find_carriers(const Carriers_3& carriers, const Hexahedron_soup_3<Point>&
   return {};
 }
 
+// The labelled quadrilaterals with the patches that they are near.
+template <typename Point>
+std::vector<Carried_quadrilateral> carried_quadrilaterals(const Carriers_3& carriers,
+                                                          const Hexahedron_soup_3<Point>& hexahedra) {
+  std::vector<Carried_quadrilateral> result;
+  for (const Labelled_quadrilateral& q : hexahedra.facets)
+    result.push_back({q.vertices, carriers.patch(q.label)});
+  return result;
+}
+
+template <typename GeomTraits>
+std::vector<Eigen::Vector3d> surface_vertices(const Compact_tetrahedral_mesh_3<GeomTraits>& object) {
+  std::vector<char> is_on_boundary(object.number_of_vertices(), 0);
+  for (Facet_index f : object.boundary_facets())
+    for (Vertex_index v : object.vertices(f)) is_on_boundary[v] = 1;
+  std::vector<Eigen::Vector3d> result;
+  for (std::size_t v = 0; v < is_on_boundary.size(); ++v) {
+    if (!is_on_boundary[v]) continue;
+    const auto p = approximate(object.point(Vertex_index(v)));
+    result.emplace_back(p.x(), p.y(), p.z());
+  }
+  return result;
+}
+
 } // namespace internal
 
 /*!
@@ -101,6 +128,10 @@ the interior are free; those on a patch of the boundary stay on it, and those on
 up to rounding. Where the surface is smooth at a rim, so that hexahedra remain inverted or flat, their nodes leave patch and rim
 by no more than `surface_tolerance`. With `slides_over_smooth_rims`, rims count only where the surface has a crease; elsewhere nodes move on
 the patches of both sides as on one, and labels tell where nodes were, not where they are.
+
+The boundary stays near to the surface: the middles of quadrilaterals and of their sides get no farther from it than
+`greatest_distance`, and where vertices of the surface are farther than that from the quadrilaterals, at tips and at creases
+inside a patch, the nearest nodes are drawn there, as far as hexahedra remain good.
 
 Nothing warrants that no hexahedron is inverted in the end: where the solid is smooth at a rim, the scaled Jacobian is small,
 and without tolerance tends to zero under refinement, unless there is a layer of hexahedra as `pillow_hexahedra()` makes it. If in the end neither
@@ -126,7 +157,7 @@ template <typename GeomTraits, typename Point>
 Status optimize_hexahedra(const Compact_tetrahedral_mesh_3<GeomTraits>& object,
                           Hexahedron_soup_3<Point>& hexahedra, const Hexahedra_optimization& options = {}) {
   if (options.most_sweeps < 0 || !(options.target <= 1) || !(options.second_target <= 1) ||
-      !(options.surface_tolerance < 1))
+      !(options.surface_tolerance < 1) || !(options.greatest_distance > 0))
     return {ERROR_WRONG_PARAMETER, "the options"};
   const Hexahedra_report before = verify_hexahedra(hexahedra);
   for (Error_code code : {ERROR_EMPTY_MESH, ERROR_INDEX_OUT_OF_RANGE, ERROR_COORDINATE_NOT_FINITE})
@@ -142,7 +173,9 @@ Status optimize_hexahedra(const Compact_tetrahedral_mesh_3<GeomTraits>& object,
   if (status.ok()) status = carriers.build(object, !options.slides_over_smooth_rims);
   if (status.ok()) status = internal::find_carriers(carriers, hexahedra, nodes, carrier_of_node);
   if (!status.ok()) return status;
-  internal::Hexahedra_optimizer optimizer(nodes, hexahedra.hexahedra, carrier_of_node);
+  internal::Surface_watch watch(internal::carried_quadrilaterals(carriers, hexahedra),
+                                internal::surface_vertices(object), nodes, options.greatest_distance);
+  internal::Hexahedra_optimizer optimizer(nodes, hexahedra.hexahedra, carrier_of_node, std::move(watch));
   optimizer.run(options.most_sweeps, options.target, options.second_target, options.surface_tolerance);
 
   Hexahedron_soup_3<Point> result = hexahedra;

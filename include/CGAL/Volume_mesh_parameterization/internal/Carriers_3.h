@@ -15,7 +15,7 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Disjoint_sets.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Facet_adjacency.h>
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Simple_cartesian.h>
 
 #include <Eigen/Dense>
 
@@ -37,7 +37,7 @@ struct Foot_point {
 // What the nodes of a hexahedral mesh of a solid move on: the solid's patches, and the rims between two patches. Where a
 // rim is smooth, it may be left out: then the patches on both sides are one.
 class Carriers_3 {
-  using Kernel = Exact_predicates_inexact_constructions_kernel;
+  using Kernel = Simple_cartesian<double>; // feet are rounded anyway
   using Point_3 = Kernel::Point_3;
   using Types = AABB_types<Kernel>;
   using Labels =
@@ -98,12 +98,19 @@ public:
     const auto rim = m_rims.find(labels), left_out = m_left_out.find(labels);
     const bool has_rim = rim != m_rims.end(), has_left_out = left_out != m_left_out.end();
     if (labels.first != labels.second && !has_rim && !has_left_out) return false;
-    handle = Handle();
-    if (has_rim && (!has_left_out || distance(rim->second, p) <= distance(left_out->second, p)))
+    handle = patch(labels.first);
+    if (has_rim && (!has_left_out || distance(rim->second, p) <= distance(left_out->second, p))) {
+      handle.patch = nullptr;
       handle.rim = &rim->second;
-    else
-      handle.patch = &m_patches.find(region(labels.first))->second;
+    }
     return true;
+  }
+
+  // The patch with this label, which there is.
+  Handle patch(int label) const {
+    Handle handle;
+    handle.patch = &m_patches.find(region(label))->second;
+    return handle;
   }
 
   // Returns the point nearest to p.
@@ -111,6 +118,12 @@ public:
     if (carrier.patch) return project(*carrier.patch, p);
     if (carrier.rim) return project(*carrier.rim, p);
     return {p, Eigen::Matrix3d::Identity()};
+  }
+
+  // Whether the carrier, which is not the whole space, comes as near as `distance` to p.
+  static bool is_near(const Handle& carrier, const Eigen::Vector3d& p, double distance) {
+    const Kernel::Sphere_3 ball(to_point(p), distance * distance);
+    return carrier.patch ? carrier.patch->tree.do_intersect(ball) : carrier.rim->tree.do_intersect(ball);
   }
 
 private:
@@ -150,7 +163,7 @@ private:
 
   template <typename AnyCarrier>
   static Foot_point project(const AnyCarrier& carrier, const Eigen::Vector3d& p) {
-    const auto foot = carrier.tree.closest_point_and_primitive(Point_3(p.x(), p.y(), p.z()));
+    const auto foot = carrier.tree.closest_point_and_primitive(to_point(p));
     return {to_vector(foot.first), directions(*foot.second)};
   }
 

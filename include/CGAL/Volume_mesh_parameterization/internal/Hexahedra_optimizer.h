@@ -14,10 +14,9 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Corner_energy.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Hexahedron_facets.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Incidence_lists.h>
-
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Kernel/global_functions.h>
-#include <CGAL/enum.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Surface_watch.h>
+#include <CGAL/Volume_mesh_parameterization/internal/node_quality.h>
+#include <CGAL/Volume_mesh_parameterization/internal/smooth_edge_lengths.h>
 
 #include <Eigen/Dense>
 
@@ -26,6 +25,7 @@
 #include <cmath>
 #include <cstddef>
 #include <iterator>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -38,19 +38,21 @@ namespace internal {
 class Hexahedra_optimizer {
   using Cube = Reference_hexahedron;
   using Hexahedron = std::array<std::size_t, 8>;
-  using Kernel = Exact_predicates_inexact_constructions_kernel;
   using Vector = Eigen::Vector3d;
   using Matrix = Eigen::Matrix3d;
 
 public:
   Hexahedra_optimizer(std::vector<Vector> nodes, const std::vector<Hexahedron>& hexahedra,
-                      const std::vector<Carriers_3::Handle>& carriers)
+                      const std::vector<Carriers_3::Handle>& carriers,
+                      Surface_watch watch)
       : m_nodes(std::move(nodes)),
+        m_watch(std::move(watch)),
         m_hexahedra(hexahedra),
         m_carriers(carriers),
         m_stars(m_nodes.size(), hexahedra.size(), [&](std::size_t h) { return hexahedra[h]; }),
-        m_slacks(m_nodes.size(), 0) {
-    find_inverted();
+        m_slacks(m_nodes.size(), 0),
+        m_places(m_nodes.size()) {
+    look_at_all();
   }
 
   // First with fixed rest lengths, which untangles and spreads the nodes. Then with the edges' own lengths as rest
@@ -60,10 +62,11 @@ public:
   void run(int most_sweeps, double target, double second_target, double tolerance) {
     constexpr double flat = 0.1;
     m_most_sweeps = most_sweeps;
-    m_rest_lengths = smooth_lengths();
+    m_rest_lengths = smooth_edge_lengths(m_nodes, m_hexahedra);
     spread();
-    const int passes = raise_least(target);
+    int passes = raise_least(target);
     if (tolerance > 0) leave_carriers((std::min)(flat, target), tolerance);
+    if (cover_surface()) passes += raise_least(target);
     raise_mean(target);
     constexpr int few = 2; // passes; else it would cost the mean
     if (second_target > target && passes <= few && least_scaled_jacobian() >= target)
@@ -98,6 +101,27 @@ private:
     m_has_rest_lengths = false;
   }
 
+  // Draws nodes to what of the surface is too far from the hexahedra; those that do not arrive are free again. Returns
+  // whether there was any such place, unless hexahedra are inverted, which matters more.
+  bool cover_surface() {
+    constexpr int most_rounds = 8, power = 2;
+    constexpr double volume_weight = 0.2, least_gain = 1e-2;
+    if (badness().first > 0) return false;
+    int round = 0;
+    for (; round < most_rounds; ++round) {
+      const std::vector<Drawn_node> drawn = m_watch.nodes_to_draw(m_nodes, m_carriers);
+      if (drawn.empty()) break;
+      for (const Drawn_node& d : drawn)
+        if (!is_at_place(d.node)) m_places[d.node] = d.place;
+      run_pass({power, volume_weight}, least_gain);
+    }
+    for (std::size_t v = 0; v < m_places.size(); ++v)
+      if (!is_at_place(v)) m_places[v].reset();
+    return round > 0;
+  }
+
+  bool is_at_place(std::size_t v) const { return m_places[v] && *m_places[v] == m_nodes[v]; }
+
   // The power grows until `target` is reached, or is not worth it. Returns the number of passes.
   int raise_least(double target) {
     constexpr int powers[] = {2, 4, 8, 16, 32};
@@ -113,7 +137,7 @@ private:
       m_nodes = old_nodes;
       break;
     }
-    find_inverted();
+    look_at_all();
     return passes;
   }
 
@@ -139,13 +163,13 @@ private:
           for (std::size_t v : h) m_slacks[v] = tolerance * mean_edge(v);
       if (round % 2 == 1) spread();
       for (int power : powers) run_pass({power, volume_weight}, least_gain);
-      find_inverted();
+      look_at_all();
       if (!(badness() < least)) continue;
       least = badness();
       best_nodes = m_nodes;
     }
     m_nodes = best_nodes;
-    find_inverted();
+    look_at_all();
   }
 
   // As long as the mean does not suffer.
@@ -158,41 +182,7 @@ private:
     raise_mean(target);
     if (badness() < old_badness && mean_scaled_jacobian() >= old_mean - greatest_loss) return;
     m_nodes = old_nodes;
-    find_inverted();
-  }
-
-  // Rest lengths.
-
-  // The mean length of a hexahedron's edges along each axis, averaged with hexahedra that share such an edge.
-  std::vector<Vector> smooth_lengths() const {
-    constexpr int rounds = 20;
-    struct Edge {
-      std::array<std::size_t, 2> nodes;
-      std::size_t hexahedron;
-      int axis;
-      bool operator<(const Edge& e) const { return nodes < e.nodes; }
-    };
-    std::vector<Vector> lengths(m_hexahedra.size(), Vector::Zero());
-    std::vector<Edge> edges;
-    for (std::size_t h = 0; h < m_hexahedra.size(); ++h)
-      for (int axis = 0; axis < 3; ++axis)
-        for (const auto& e : Cube::axis_edges[axis]) {
-          const std::size_t v = m_hexahedra[h][e[0]], w = m_hexahedra[h][e[1]];
-          lengths[h][axis] += (m_nodes[v] - m_nodes[w]).norm() / 4;
-          edges.push_back({{(std::min)(v, w), (std::max)(v, w)}, h, axis});
-        }
-    std::stable_sort(edges.begin(), edges.end());
-    for (int round = 0; round < rounds; ++round) {
-      std::vector<Vector> means(lengths.size(), Vector::Zero());
-      for (auto e = edges.begin(), end = e; e != edges.end(); e = end) {
-        double sum = 0;
-        for (; end != edges.end() && end->nodes == e->nodes; ++end)
-          sum += lengths[end->hexahedron][end->axis];
-        for (auto i = e; i != end; ++i) means[i->hexahedron][i->axis] += sum / double(end - e) / 4;
-      }
-      lengths = std::move(means);
-    }
-    return lengths;
+    look_at_all();
   }
 
   // Energy.
@@ -247,19 +237,17 @@ private:
 
   // Quality.
 
-  double scaled_jacobian(const Hexahedron& h) const {
-    double least = 1;
-    for (int place = 0; place <= centre; ++place) {
-      Matrix j;
-      for (int k = 0; k < 3; ++k) j.col(k) = edge(h, place, k).normalized();
-      least = (std::min)(least, j.determinant());
-    }
-    return least;
-  }
+  double scaled_jacobian(const Hexahedron& h) const { return corner_scaled_jacobian(m_nodes, h); }
 
   double least_scaled_jacobian() const {
     double least = 1;
     for (const Hexahedron& h : m_hexahedra) least = (std::min)(least, scaled_jacobian(h));
+    return least;
+  }
+
+  double least_scaled_jacobian_around(std::size_t v) const {
+    double least = 1;
+    for (std::size_t h : m_stars[v]) least = (std::min)(least, scaled_jacobian(m_hexahedra[h]));
     return least;
   }
 
@@ -279,21 +267,11 @@ private:
     return sum / double(m_stars[v].size());
   }
 
-  bool is_inverted(const Hexahedron& h) const {
-    const auto point = [&](int i) {
-      const Vector& p = m_nodes[h[i]];
-      return Kernel::Point_3(p.x(), p.y(), p.z());
-    };
-    for (int i = 0; i < 8; ++i) {
-      const int* n = Cube::neighbors[i];
-      if (CGAL::orientation(point(i), point(n[0]), point(n[1]), point(n[2])) != POSITIVE) return true;
-    }
-    return !(scaled_jacobian(h) > 0); // the centre
-  }
-
-  void find_inverted() {
+  // After all nodes have changed.
+  void look_at_all() {
     m_inverted.clear();
-    for (const Hexahedron& h : m_hexahedra) m_inverted.push_back(is_inverted(h));
+    for (const Hexahedron& h : m_hexahedra) m_inverted.push_back(is_inverted(m_nodes, h, scaled_jacobian(h)));
+    m_watch.start(m_nodes);
   }
 
   // What is to be lessened: the number of inverted hexahedra, then the opposite of the least scaled Jacobian.
@@ -340,8 +318,26 @@ private:
     return corners;
   }
 
+  // Goes on towards the place of v, as far as hexahedra remain good. Returns whether it moved.
+  bool approach_place(std::size_t v) {
+    constexpr double good = 0.25, least_share = 1. / 64;
+    constexpr int most_halvings = 5;
+    const Vector start = m_nodes[v], place = *m_places[v];
+    const double least_allowed = (std::min)(good, least_scaled_jacobian_around(v));
+    Vector step = place - start;
+    for (int k = 0; k <= most_halvings; ++k, step /= 2) {
+      m_nodes[v] = k == 0 ? place : carried(v, start + step);
+      if ((m_nodes[v] - place).norm() < (1 - least_share) * (start - place).norm() &&
+          least_scaled_jacobian_around(v) >= least_allowed && accept_star(v))
+        return true;
+    }
+    m_nodes[v] = start;
+    return false;
+  }
+
   // Returns which share of the energy around v is gained.
   double move(std::size_t v) {
+    if (m_places[v]) return approach_place(v);
     constexpr int most_halvings = 5;
     const std::vector<Corner> corners = corners_around(v);
     const Vector start = m_nodes[v];
@@ -370,13 +366,15 @@ private:
     std::vector<char> inverted;
     int more = 0;
     for (std::size_t h : star) {
-      if (!(scaled_jacobian(m_hexahedra[h]) >= m_least_allowed)) return false;
-      inverted.push_back(is_inverted(m_hexahedra[h]));
+      const double quality = scaled_jacobian(m_hexahedra[h]);
+      if (!(quality >= m_least_allowed)) return false;
+      inverted.push_back(is_inverted(m_nodes, m_hexahedra[h], quality));
       more += inverted.back() - m_inverted[h];
     }
-    if (more > 0 && !m_has_rest_lengths) return false;
+    if ((more > 0 && !m_has_rest_lengths) || !m_watch.accepts(v, m_nodes)) return false;
     auto flag = inverted.begin();
     for (std::size_t h : star) m_inverted[h] = *flag++;
+    m_watch.take_note(v, m_nodes);
     return true;
   }
 
@@ -419,10 +417,12 @@ private:
   }
 
   std::vector<Vector> m_nodes;
+  Surface_watch m_watch;
   const std::vector<Hexahedron>& m_hexahedra;
   const std::vector<Carriers_3::Handle>& m_carriers;
   Incidence_lists<std::size_t, std::size_t> m_stars; // the hexahedra around each node
   std::vector<double> m_slacks;                      // how far nodes may be from their carriers
+  std::vector<std::optional<Vector>> m_places;       // where nodes are drawn to
   std::vector<char> m_inverted, m_is_awake;          // hexahedra; nodes
   int m_most_sweeps = 0;                             // in a pass
   std::vector<Vector> m_rest_lengths;                // of each hexahedron along its three axes

@@ -1,0 +1,81 @@
+#undef NDEBUG
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+
+#include <CGAL/Volume_mesh_parameterization/hexahedral_mesh.h>
+#include <CGAL/Volume_mesh_parameterization/optimize_hexahedra.h>
+
+#include "test_util.h"
+
+#include <cassert>
+#include <cstdlib>
+#include <iostream>
+#include <vector>
+
+namespace VMP = CGAL::Volume_mesh_parameterization;
+namespace internal = VMP::internal;
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Point_3 = Kernel::Point_3;
+using Mesh = VMP::Compact_tetrahedral_mesh_3<Kernel>;
+using Hexahedra = VMP::Hexahedron_soup_3<Point_3>;
+using Nodes = std::vector<Eigen::Vector3d>;
+using Handles = std::vector<internal::Carriers_3::Handle>;
+
+constexpr double edge = 0.5;
+
+// The block of 1 x 3 x 1 by cubes.
+Hexahedra cubes() {
+  const VMP::Prism_3<Kernel> prism({0, 0, 1, 3}, {}, 1);
+  const auto column = [](const Kernel::Point_2& p, const std::vector<double>& levels, std::vector<Point_3>& points) {
+    for (double level : levels) points.push_back(Point_3(p.x(), p.y(), level));
+    return VMP::Status();
+  };
+  Hexahedra result;
+  const VMP::Status status = VMP::hexahedral_mesh(prism, VMP::prism_grid(prism, edge), column, result);
+  assert(status.ok());
+  return result;
+}
+
+bool is_on_crease(const Eigen::Vector3d& p) { return p.x() == 0 && p.y() == 0; }
+
+int main() {
+  Mesh solid;
+  VMP::Status status = solid.assign(Block_with_holes<Point_3>(0, 2, 2).soup());
+  assert(status.ok());
+  const Hexahedra hexahedra = cubes();
+  Nodes nodes;
+  for (const Point_3& p : hexahedra.points) nodes.emplace_back(p.x(), p.y(), p.z());
+  internal::Carriers_3 carriers;
+  Handles carrier_of_node;
+  status = carriers.build(solid, true);
+  if (status.ok()) status = internal::find_carriers(carriers, hexahedra, nodes, carrier_of_node);
+  assert(status.ok());
+  internal::Surface_watch watch(internal::carried_quadrilaterals(carriers, hexahedra),
+                                internal::surface_vertices(solid), nodes, 0.3);
+  watch.start(nodes);
+  for (std::size_t v = 0; v < nodes.size(); ++v) assert(watch.accepts(v, nodes));
+  assert(watch.nodes_to_draw(nodes, carrier_of_node).empty());
+
+  // Nodes of the crease at the origin leave it along the wall, so that quadrilaterals cut it off.
+  std::vector<std::size_t> moved;
+  for (std::size_t v = 0; v < nodes.size(); ++v)
+    if (is_on_crease(nodes[v])) moved.push_back(v);
+  assert(moved.size() == 3);
+  for (std::size_t v : moved) nodes[v].x() = 0.8 * edge;
+  for (std::size_t v : moved) assert(!watch.accepts(v, nodes));
+  std::vector<std::size_t> drawn;
+  for (const internal::Drawn_node& d : watch.nodes_to_draw(nodes, carrier_of_node)) {
+    assert(is_on_crease(d.place));
+    drawn.push_back(d.node);
+  }
+  assert(drawn == moved);
+
+  // What is so from the start may stay, but not return once it is better.
+  watch.start(nodes);
+  for (std::size_t v : moved) assert(watch.accepts(v, nodes));
+  const Nodes worse = nodes;
+  for (std::size_t v : moved) nodes[v].x() = 0;
+  for (std::size_t v : moved) watch.take_note(v, nodes);
+  for (std::size_t v : moved) assert(watch.accepts(v, nodes) && !watch.accepts(v, worse));
+  std::cout << "done" << std::endl;
+  return EXIT_SUCCESS;
+}
