@@ -78,9 +78,9 @@ threads may solve at a time, but wait for each other.
 */
 class Petsc_solver_traits_3 {
 public:
-  using NT = double;
-  using Matrix = CGAL::Eigen_sparse_matrix<double>;
-  using Vector = CGAL::Eigen_vector<double>;
+  using NT = double;                                ///< the number type
+  using Matrix = CGAL::Eigen_sparse_matrix<double>; ///< of which the lower half counts
+  using Vector = CGAL::Eigen_vector<double>;        ///< a dense vector
 
   /// is the relative residual to reach: all digits that there are.
   static constexpr double tolerance = 1e-15;
@@ -119,6 +119,7 @@ public:
     return is_solved;
   }
 
+  /// sets up and solves.
   bool linear_solver(const Matrix& matrix, const Vector& right, Vector& solution, NT& denominator) {
     return factor(matrix, denominator) && linear_solver(right, solution);
   }
