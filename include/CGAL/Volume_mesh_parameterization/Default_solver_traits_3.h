@@ -22,7 +22,7 @@
 #include <Eigen/CholmodSupport>
 #endif
 
-#include <optional>
+#include <memory>
 
 namespace CGAL {
 namespace Volume_mesh_parameterization {
@@ -81,7 +81,7 @@ public:
     denominator = 1;
     const auto& m = matrix.eigen_object();
     m_matrix = {m.outerIndexPtr(), m.innerIndexPtr(), m.valuePtr(), int(m.rows())};
-    m_preconditioner.emplace(m_matrix);
+    m_preconditioner = std::make_shared<internal::Smoothed_aggregation>(m_matrix);
     return true;
   }
 
@@ -99,7 +99,7 @@ public:
 
 private:
   internal::Sparse_rows_view m_matrix;
-  std::optional<internal::Smoothed_aggregation> m_preconditioner;
+  std::shared_ptr<internal::Smoothed_aggregation> m_preconditioner;
 };
 
 /// \ingroup PkgVolumeMeshParameterizationFields

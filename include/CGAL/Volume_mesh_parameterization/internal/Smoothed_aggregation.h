@@ -42,6 +42,10 @@ public:
     if (m_levels.back().matrix.size <= size_to_factor) m_factorization.compute(dense(m_levels.back().matrix));
   }
 
+  // The levels refer to their own matrices.
+  Smoothed_aggregation(const Smoothed_aggregation&) = delete;
+  Smoothed_aggregation& operator=(const Smoothed_aggregation&) = delete;
+
   // returns an approximate solution of matrix * x = right.
   const Vector& operator()(const Vector& right) { return cycle(0, right); }
 
