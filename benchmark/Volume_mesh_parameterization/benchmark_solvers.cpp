@@ -61,11 +61,25 @@ Status solve(const Mesh& mesh, Json& result) {
   return status;
 }
 
+// What the flux costs beyond the harmonic function, which it is made from.
+template <typename Solver>
+Status equilibrate(const Mesh& mesh, Json& result) {
+  VMP::Harmonic_function_3<Mesh, Solver> harmonic(mesh);
+  VMP::Flux_field_3<Mesh, Solver> flux(mesh);
+  const Status status = harmonic.solve();
+  if (!status.ok()) return status;
+  result = measure([&] { flux.equilibrate(harmonic); });
+  result["solver_cpu_seconds"] = 0.;
+  result["residual"] = flux.residual();
+  return status;
+}
+
 template <typename Solver>
 Status solve(const std::string& field, const Mesh& mesh, Json& result) {
   if (field == "harmonic") return solve<Solver, VMP::Harmonic_function_3>(mesh, result);
   if (field == "dual") return solve<Solver, VMP::Dual_potential_3>(mesh, result);
   if (field == "flux") return solve<Solver, VMP::Flux_field_3>(mesh, result);
+  if (field == "equilibrated flux") return equilibrate<Solver>(mesh, result);
   return {VMP::ERROR_WRONG_PARAMETER, "there is no field " + field};
 }
 
