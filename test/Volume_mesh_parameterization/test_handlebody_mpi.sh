@@ -1,0 +1,57 @@
+#!/usr/bin/env bash
+# usage: test_handlebody_mpi.sh MPIRUN HANDLEBODY_MPI SOLID...
+# Several processes compute the same fields as one, and as the library alone.
+set -euo pipefail
+
+mpirun=$1 program=$2
+shift 2
+folder=$(mktemp -d)
+trap 'rm -r "$folder"' EXIT
+
+fail() {
+  echo "test_handlebody_mpi: $*" >&2
+  exit 1
+}
+
+# agree FILE FILE: the words are the same, and numbers differ by 1e-10 at most
+agree() {
+  awk -v most=1e-10 '
+    function is_number(word) { return word ~ /^[-+]?[0-9.]+([eE][-+]?[0-9]+)?$/ }
+    NR == FNR { first[FNR] = $0; lines = FNR; next }
+    {
+      n = split($0, a)
+      if (split(first[FNR], b) != n) exit bad = 1
+      for (i = 1; i <= n; ++i) {
+        if (a[i] == b[i]) continue
+        difference = a[i] > b[i] ? a[i] - b[i] : b[i] - a[i]
+        if (!is_number(a[i]) || !is_number(b[i]) || difference > most) exit bad = 1
+      }
+    }
+    END { exit bad || lines != FNR }' "$1" "$2"
+}
+
+# expect STATUS COMMAND...
+expect() {
+  local status=0
+  "${@:2}" >"$folder/output" 2>&1 || status=$?
+  [ "$status" -eq "$1" ] || { cat "$folder/output" >&2; fail "exit $status instead of $1: ${*:2}"; }
+}
+
+for solid in "$@"; do
+  expect 0 "$program" "$solid" -o "$folder/1.vtu" --check
+  for processes in 2 3; do
+    expect 0 "$mpirun" -n "$processes" "$program" "$solid" -o "$folder/$processes.vtu" --check
+    grep -q "\"processes\": $processes" "$folder/output" || fail "there are not $processes processes"
+    agree "$folder/1.vtu" "$folder/$processes.vtu" || fail "$solid: $processes processes differ from one"
+  done
+done
+
+# the comparison above sees differences
+sed '0,/0\.5/s//0.50000001/' "$folder/1.vtu" >"$folder/changed.vtu"
+! agree "$folder/1.vtu" "$folder/changed.vtu" || fail "a changed number is not seen"
+
+printf 'MeshVersionFormatted 2\nDimension 3\nEnd\n' >"$folder/empty.mesh"
+expect 1 "$program" "$folder/empty.mesh"
+expect 1 "$mpirun" -n 2 "$program" "$folder/empty.mesh"
+expect 2 "$program" --no-such-option
+expect 3 "$program" "$1" -o "$folder/no/such/folder.vtu"
