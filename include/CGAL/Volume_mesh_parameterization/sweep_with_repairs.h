@@ -69,7 +69,7 @@ public:
   }
 
 private:
-  // Bounds on the work: sixty sweeps cost about as much as the solution for the flux.
+  // Bounds on the work.
   static constexpr std::size_t most_restarts = 60, most_refinements = 20, most_growth = 4;
   // By how much a cell that was left behind is preferred from then on; the potential runs from 0 to 1.
   static constexpr double lesson = 0.002;
