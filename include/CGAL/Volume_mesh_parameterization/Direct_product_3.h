@@ -172,9 +172,13 @@ private:
   template <typename ConcurrencyTag>
   Status solve_for_fields(Curve_type type) {
     using Tag = internal::Concurrency_for<ConcurrencyTag, typename GeomTraits::FT>;
-    const auto solve_one = [&](std::size_t i) { return i == 0 ? solve_for_gradient(type) : solve(m_dual_potential); };
+    // the potential takes most memory: in one thread it comes first
+    const auto solve_one = [&](std::size_t i) { return i == 0 ? solve(m_dual_potential) : solve_for_gradient(type); };
     const Status status = internal::try_each_index<Tag>(2, solve_one, 1);
-    if (!m_flux_field) m_dual_potential.reset(); // as if one were solved for after the other
+    if (!m_dual_potential) { // as if one were solved for after the other
+      m_harmonic_function.reset();
+      m_flux_field.reset();
+    }
     return status;
   }
 

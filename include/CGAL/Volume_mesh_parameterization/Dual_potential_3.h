@@ -64,7 +64,7 @@ public:
   /// returns the values, one for each cell.
   const std::vector<double>& values() const { return m_values; }
 
-  /// returns the norm of the residual divided by the norm of the right-hand side.
+  /// returns the norm of the residual divided by that of the sums of the sizes of its terms.
   double residual() const { return m_residual; }
 
 private:

@@ -13,6 +13,7 @@
 #include <CGAL/Volume_mesh_parameterization/Compact_tetrahedral_mesh_3.h>
 #include <CGAL/Volume_mesh_parameterization/Default_solver_traits_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Cell_gradients.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Circulation_relaxation.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Dirichlet_problem.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Flux_equilibration.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Gradient_network.h>
@@ -34,9 +35,9 @@ is the gradient of the harmonic function as a field without sources: one constan
 the same seen from both cells, exactly 0 through walls.
 
 There are two such fields, in fluxes of the lowest-order elements of Raviart and Thomas. Both point upwards, from the floor to
-the ceiling. That of `equilibrate()` is made from the harmonic function, around each vertex on its own: it costs about as much
-as the harmonic function did. That of `solve()` has the least energy: it is the gradient of the non-conforming solution of
-Crouzeix and Raviart (Marini 1985), a linear system with one unknown per facet.
+the ceiling. That of `equilibrate()` is made from the harmonic function, around each vertex and then around each edge on its
+own: it costs about as much as the harmonic function did. That of `solve()` has the least energy: it is the gradient of the
+non-conforming solution of Crouzeix and Raviart (Marini 1985), a linear system with one unknown per facet.
 
 Its integral curves need no certificate to be computed, and have none: the field may have cycles, and where the
 harmonic function is flat the signs of its fluxes are noise. See `Product_structure_3` for the certified curves.
@@ -74,7 +75,8 @@ public:
   }
 
   /// computes fluxes from the gradient of `harmonic_function`, which jumps across facets: the means of both sides, made
-  /// conservative around each vertex (Braess and Schöberl 2008). No linear system of the size of the mesh is solved.
+  /// conservative around each vertex (Braess and Schöberl 2008), and smoothed by taking circulations away around each edge
+  /// (Hiptmair 1998). No linear system of the size of the mesh is solved: the time is linear.
   /// \tparam Harmonic_function `Harmonic_function_3` of the same mesh
   /// \pre `harmonic_function` is solved
   template <typename Harmonic_function>
@@ -83,7 +85,8 @@ public:
     for (Cell_index c : m_mesh->cells()) volumes.push_back(internal::Cell_gradients(*m_mesh, c).volume);
     m_residual = harmonic_function.residual();
     const auto gradient = [&](Cell_index c) { return harmonic_function.gradient(c); };
-    m_fluxes = internal::Flux_equilibration<Mesh>(*m_mesh, volumes).fluxes(gradient);
+    m_fluxes = internal::Flux_equilibration<Mesh>(*m_mesh).fluxes(gradient);
+    internal::Circulation_relaxation<Mesh>(*m_mesh, volumes, m_fluxes).run(relaxation_rounds);
     finish();
   }
 
@@ -125,13 +128,16 @@ public:
     return sum;
   }
 
-  /// returns the norm of the residual divided by the norm of the right-hand side.
+  /// returns the norm of the residual divided by that of the sums of the sizes of its terms.
   double residual() const { return m_residual; }
 
   /// returns the largest sum of the four fluxes of a cell, as the solver left them, divided by the largest flux.
   double largest_divergence() const { return m_largest_divergence; }
 
 private:
+  // More rounds bring less than one percent of the volume more where the sweep obeys the flux (`benchmark_fluxes`).
+  static constexpr int relaxation_rounds = 6;
+
   bool is_wall(Facet_index f) const {
     const int label = m_mesh->label(f);
     return m_mesh->is_boundary(f) && label != FLOOR && label != CEILING;

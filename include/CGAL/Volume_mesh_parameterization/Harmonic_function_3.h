@@ -76,7 +76,7 @@ public:
         .interpolate({m_values[v[0]], m_values[v[1]], m_values[v[2]], m_values[v[3]]});
   }
 
-  /// returns the norm of the residual divided by the norm of the right-hand side.
+  /// returns the norm of the residual divided by that of the sums of the sizes of its terms.
   double residual() const { return m_residual; }
 
   /// returns the vertices with a value outside of [0, 1], which negative weights make possible.

@@ -12,13 +12,9 @@
 
 #include <CGAL/Volume_mesh_parameterization/Compact_tetrahedral_mesh_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Cell_gradients.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Sparse_rows.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Vertex_stars.h>
-#include <CGAL/Volume_mesh_parameterization/internal/solve_by_conjugate_gradients.h>
 
-#include <Eigen/Core>
-
-#include <algorithm>
+#include <cstddef>
 #include <vector>
 
 namespace CGAL {
@@ -28,17 +24,14 @@ namespace internal {
 // Makes a conservative flux of a discrete gradient without a global system (Braess and Schöberl 2008). The gradient of the
 // solution u of the finite-element equations of degree one jumps across facets, but its residual is orthogonal to the basis
 // function phi_v of each unknown vertex v: around v, what phi_v grad u leaves too much in one cell is missing in others.
-// There fluxes through the facets at v carry it: those of least energy on the dual graph, as in `Dual_potential_3`. Nothing
-// passes through walls, anything through floor and ceiling.
+// There fluxes through the facets at v carry it, along a tree of the cells: which tree is of no importance, since
+// `Circulation_relaxation` takes the circulations away. Nothing passes through walls, anything through floor and ceiling.
 template <typename Mesh>
 class Flux_equilibration {
 public:
-  // `volumes` are those of the cells.
-  Flux_equilibration(const Mesh& mesh, const std::vector<double>& volumes)
-      : m_mesh(&mesh), m_stars(mesh), m_excess(mesh.number_of_facets(), 0), m_conductances(mesh.number_of_facets(), 0) {
-    for (Facet_index f : mesh.facets())
-      if (!is_wall(f)) m_conductances[f] = dual_conductance(mesh, f, volumes);
-  }
+  explicit Flux_equilibration(const Mesh& mesh)
+      : m_mesh(&mesh), m_stars(mesh), m_excess(mesh.number_of_facets(), 0), m_rest(mesh.number_of_cells()),
+        m_is_left(mesh.number_of_cells(), 0) {}
 
   // returns the fluxes out of the cell of half_facet(f), for each facet; `gradient(c)` is that of u in the cell c.
   template <typename Gradient>
@@ -50,9 +43,6 @@ public:
   }
 
 private:
-  // More than the residual of the solver makes no difference.
-  static constexpr double tolerance = 1e-14;
-
   bool is_wall(Facet_index f) const {
     return m_mesh->is_boundary(f) && m_mesh->label(f) != FLOOR && m_mesh->label(f) != CEILING;
   }
@@ -70,35 +60,45 @@ private:
     }
   }
 
-  // In the star of v each cell gets a potential, whose differences times the conductances are the fluxes.
+  // Cells far from the root of the tree give what is too much to their parents; the root gives it to floor or ceiling, if
+  // v is there; else what arrives is the residual of the equation of v.
   void equilibrate(Vertex_index v, std::vector<double>& fluxes) {
-    const auto star = m_stars.cells(v);
-    const int n = int(star.size());
-    const auto number = [&](Cell_index c) { return int(std::lower_bound(star.begin(), star.end(), c) - star.begin()); };
-    Sparse_rows rows(n);
-    Eigen::VectorXd excess = Eigen::VectorXd::Zero(n), diagonal = Eigen::VectorXd::Zero(n), potential;
-    bool touches_base = false;
-    for (int a = 0; a < n; ++a) {
-      for_each_side(star[a], v, [&](int i, Facet_index f) {
-        excess[a] += m_excess[f];
-        diagonal[a] += m_conductances[f];
-        if (m_mesh->is_boundary(f))
-          touches_base |= !is_wall(f);
-        else
-          rows.add(number(m_mesh->neighbor(star[a], i)), -m_conductances[f]);
-      });
-      rows.add(a, diagonal[a]);
-      rows.end_row();
+    const Half_facet exit = grow_tree(v);
+    for (std::size_t k = m_tree.size(); k-- > 0;) {
+      const Half_facet h = k == 0 ? exit : m_tree[k];
+      if (!h.cell.is_valid()) return;
+      const Facet_index f = m_mesh->facet(h.cell, h.index);
+      fluxes[f] += m_mesh->half_facet(f).cell == h.cell ? m_rest[h.cell] : -m_rest[h.cell];
+      if (k > 0) m_rest[m_mesh->neighbor(h.cell, h.index)] += m_rest[h.cell];
     }
-    if (!touches_base) excess.array() -= excess.mean(); // which is the residual of the equation of v
-    const auto jacobi = [&](const Eigen::VectorXd& r) { return r.cwiseQuotient(diagonal); };
-    solve_by_conjugate_gradients(rows.view(), jacobi, excess, tolerance, 10 * n, potential);
-    for (int a = 0; a < n; ++a)
-      for_each_side(star[a], v, [&](int i, Facet_index f) {
-        if (m_mesh->half_facet(f).cell != star[a]) return;
-        const double beyond = m_mesh->is_boundary(f) ? 0 : potential[number(m_mesh->neighbor(star[a], i))];
-        fluxes[f] += m_conductances[f] * (potential[a] - beyond);
+  }
+
+  // The cells around v breadth first, each with its facet to its parent, and what is too much in each. Returns the facet of the
+  // root on floor or ceiling, an invalid one if there is none.
+  Half_facet grow_tree(Vertex_index v) {
+    const auto star = m_stars.cells(v);
+    Half_facet exit{Cell_index(), 0};
+    for (Cell_index c : star) {
+      m_rest[c] = 0;
+      for_each_side(c, v, [&](int i, Facet_index f) {
+        m_rest[c] += m_excess[f];
+        if (m_mesh->is_boundary(f) && !is_wall(f)) exit = {c, i};
       });
+      m_is_left[c] = 1;
+    }
+    m_tree.assign(1, {exit.cell.is_valid() ? exit.cell : *star.begin(), 0});
+    m_is_left[m_tree[0].cell] = 0;
+    for (std::size_t k = 0; k < m_tree.size(); ++k) {
+      const Cell_index c = m_tree[k].cell;
+      for_each_side(c, v, [&](int i, Facet_index) {
+        const Half_facet h = m_mesh->opposite({c, i});
+        if (h.cell.is_valid() && m_is_left[h.cell]) {
+          m_is_left[h.cell] = 0;
+          m_tree.push_back(h);
+        }
+      });
+    }
+    return exit;
   }
 
   // calls f(i, facet) for the three facets of c that contain v
@@ -110,8 +110,10 @@ private:
 
   const Mesh* m_mesh;
   Vertex_stars m_stars;
-  std::vector<double> m_excess;       // at each corner of a facet, of each of its cells
-  std::vector<double> m_conductances; // 0 for walls
+  std::vector<double> m_excess;   // at each corner of a facet, of each of its cells
+  std::vector<double> m_rest;     // of cells: what is too much
+  std::vector<char> m_is_left;    // of cells: whether it is still to join the tree
+  std::vector<Half_facet> m_tree; // the first one is the root, whose facet does not count
 };
 
 } // namespace internal

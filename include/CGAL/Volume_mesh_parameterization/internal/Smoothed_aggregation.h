@@ -63,10 +63,10 @@ private:
     Sparse_rows own; // empty on the finest level
     Sparse_rows_view matrix;
     std::vector<int> diagonal; // the places of the diagonal entries
-    Sparse_rows prolongation, restriction;
-    Vector right, residual, solution;
+    Sparse_rows prolongation;
+    Vector right, solution;
 
-    explicit Level(const Sparse_rows_view& view) : matrix(view), residual(view.size), solution(view.size) {
+    explicit Level(const Sparse_rows_view& view) : matrix(view), solution(view.size) {
       diagonal.reserve(std::size_t(view.size));
       for (int i = 0; i < view.size; ++i)
         diagonal.push_back(int(std::lower_bound(view.columns + view.first[i], view.columns + view.first[i + 1], i) -
@@ -103,10 +103,14 @@ private:
     const std::vector<int> aggregates = aggregate(fine, least_coupling, n);
     if (n > largest_share * fine.matrix.size) return false;
     fine.prolongation = smoothed_prolongation(fine, least_coupling, aggregates, n);
-    fine.restriction = fine.prolongation.transposed();
-    const Sparse_rows coarse = product(fine.restriction.view(), product(fine.matrix, fine.prolongation));
-    m_levels.emplace_back(coarse.transposed()); // of a symmetric matrix it is the same, but its columns are in order
+    // a transposition changes no symmetric matrix, but after it the columns are in order
+    m_levels.emplace_back(coarse_matrix(fine).transposed());
     return true;
+  }
+
+  static Sparse_rows coarse_matrix(const Level& fine) {
+    const Sparse_rows image = product(fine.matrix, fine.prolongation), restriction = fine.prolongation.transposed();
+    return product(restriction.view(), image);
   }
 
   // Numbers the n aggregates and returns that of each unknown. An unknown whose neighbors are all free takes them; what is
@@ -188,11 +192,11 @@ private:
   // After the sweep forwards the residual is what the entries above the diagonal make of the new values.
   void correct(std::size_t l) {
     Level& level = m_levels[l];
-    const Sparse_rows_view &a = level.matrix, restriction = level.restriction.view(),
-                           prolongation = level.prolongation.view();
+    const Sparse_rows_view &a = level.matrix, prolongation = level.prolongation.view();
     Vector &x = level.solution, &coarse = m_levels[l + 1].right;
-    for (int i = 0; i < a.size; ++i) level.residual[i] = -a.times(level.diagonal[i] + 1, a.first[i + 1], x);
-    for (int i = 0; i < restriction.size; ++i) coarse[i] = restriction.times(i, level.residual);
+    coarse.setZero();
+    for (int i = 0; i < a.size; ++i)
+      prolongation.add_transposed(i, -a.times(level.diagonal[i] + 1, a.first[i + 1], x), coarse);
     const Vector& correction = cycle(l + 1, coarse);
     for (int i = 0; i < a.size; ++i) x[i] += prolongation.times(i, correction);
   }

@@ -38,6 +38,11 @@ struct Sparse_rows_view {
     for (int k = begin; k < end; ++k) sum += values[k] * x[columns[k]];
     return sum;
   }
+  // adds the product of a number and row i to a vector
+  template <typename Vector>
+  void add_transposed(int i, double factor, Vector& result) const {
+    for (int k = first[i]; k < first[i + 1]; ++k) result[columns[k]] += factor * values[k];
+  }
 };
 
 // The rows of a sparse matrix, appended one after the other; equal columns of a row add up.
