@@ -16,7 +16,7 @@ provide_cgal_data "$build/cgal"
 
 # -O1: most of the time goes into compilation
 cmake -S "$root" -B "$build" -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_FLAGS_RELEASE="-O1 -DNDEBUG" -DCGAL_DATA_DIR="$build/cgal/data" \
-  -DWITH_demo=ON -DWITH_examples=ON -DWITH_tests=ON -DWITH_benchmark=ON \
+  -DWITH_demo=ON -DWITH_examples=ON -DWITH_tests=ON \
   -DCMAKE_CXX_FLAGS="-Wall -Wextra -Wpedantic -Werror"
 cmake --build "$build" --parallel 2
 OPENBLAS_NUM_THREADS=1 ctest --test-dir "$build" --parallel 2 --output-on-failure
