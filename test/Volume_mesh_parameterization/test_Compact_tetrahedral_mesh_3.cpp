@@ -5,9 +5,11 @@
 
 #include "test_util.h"
 
+#include <array>
 #include <cassert>
 #include <cstdlib>
 #include <iostream>
+#include <vector>
 
 namespace VMP = CGAL::Volume_mesh_parameterization;
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
@@ -48,9 +50,34 @@ void test_block(int holes) {
                              mesh.point(mesh.vertex(c, 3))) == CGAL::POSITIVE);
 }
 
-VMP::Error_code code_of(const Soup& soup) {
+// A label that is set is had by the facet, seen from its cell too, and by no other.
+void test_labels() {
   Mesh mesh;
-  const VMP::Error_code code = mesh.assign(soup).code();
+  const VMP::Status status = mesh.assign(Block_with_holes<Point>(0, 1, 1).soup());
+  assert(status.ok());
+  for (VMP::Facet_index f : mesh.boundary_facets()) mesh.set_label(f, VMP::INTERIOR);
+  const VMP::Facet_index first(0);
+  const VMP::Half_facet h = mesh.half_facet(first);
+  for (VMP::Boundary_label label : {VMP::FLOOR, VMP::CEILING, VMP::FIRST_WALL}) {
+    mesh.set_label(first, label);
+    assert(mesh.label(h.cell, h.index) == label);
+    for (VMP::Facet_index f : mesh.facets()) assert(mesh.label(f) == (f == first ? label : VMP::INTERIOR));
+  }
+}
+
+// Says that it has more cells than 32 bits can number the edges of, and never shows one.
+struct Huge_mesh {
+  std::size_t number_of_vertices() const { return 4; }
+  std::size_t number_of_cells() const { return Mesh::most_cells + 1; }
+  Point point(std::size_t) const { std::abort(); }
+  std::array<std::size_t, 4> cell(std::size_t) const { std::abort(); }
+  std::vector<VMP::Labelled_facet> labelled_facets() const { std::abort(); }
+};
+
+template <typename TetrahedralMesh>
+VMP::Error_code code_of(const TetrahedralMesh& given) {
+  Mesh mesh;
+  const VMP::Error_code code = mesh.assign(given).code();
   assert(code == VMP::OK || mesh.number_of_cells() == 0);
   return code;
 }
@@ -59,6 +86,7 @@ void test_refusals() {
   const Soup good = Block_with_holes<Point>(0, 1, 1).soup();
   assert(code_of(good) == VMP::OK);
   assert(code_of(Soup()) == VMP::ERROR_EMPTY_MESH);
+  assert(code_of(Huge_mesh()) == VMP::ERROR_WRONG_PARAMETER);
   Soup bad = good;
   bad.cells[3][2] = bad.points.size();
   assert(code_of(bad) == VMP::ERROR_INDEX_OUT_OF_RANGE);
@@ -81,6 +109,7 @@ void test_refusals() {
 
 int main() {
   for (int holes = 0; holes <= 4; ++holes) test_block(holes);
+  test_labels();
   test_refusals();
   std::cout << "done" << std::endl;
   return EXIT_SUCCESS;

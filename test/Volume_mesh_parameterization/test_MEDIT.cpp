@@ -14,6 +14,7 @@
 #include <iostream>
 #include <limits>
 #include <sstream>
+#include <streambuf>
 
 namespace CGAL::Volume_mesh_parameterization {
 bool operator==(const Labelled_facet& a, const Labelled_facet& b) {
@@ -169,6 +170,17 @@ void test_files() {
   assert(back.points == soup.points && folder.number_of_files() == 2);
 }
 
+// A stream that cannot take more is a failure to be returned, even if the stream has been told to throw.
+void test_full_stream() {
+  struct Full_buffer : std::streambuf {} buffer;
+  for (bool throws : {false, true})
+    for (int per_unit : {1, 5}) { // less and more than what is handed to a stream at once
+      std::ostream os(&buffer);
+      if (throws) os.exceptions(std::ios::badbit | std::ios::failbit);
+      expect(VMP::IO::write_MEDIT(os, Block_with_holes<Point>(2, per_unit, per_unit).soup()), VMP::ERROR_CANNOT_WRITE_FILE);
+    }
+}
+
 int main() {
   test_round_trip();
   test_models_of_the_concept();
@@ -177,6 +189,7 @@ int main() {
   test_refusals();
   test_truncation();
   test_files();
+  test_full_stream();
   std::cout << "done" << std::endl;
   return EXIT_SUCCESS;
 }

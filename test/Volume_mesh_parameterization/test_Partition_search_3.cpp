@@ -361,8 +361,27 @@ void test_wrong_options() {
 }
 
 void test_method_names() {
-  assert(std::string(VMP::method_name(VMP::BY_CREASES)) == "creases");
-  assert(std::string(VMP::method_name(VMP::BY_LABELS)) == "labels");
+  const VMP::Partition_method methods[] = {VMP::BY_CREASES, VMP::BY_NORMALS, VMP::BY_LOOPS, VMP::BY_LABELS};
+  std::string names;
+  for (VMP::Partition_method method : methods) names += std::string(VMP::method_name(method)) + ' ';
+  assert(names == "creases normals loops labels ");
+}
+
+// Labels that are to be ignored change nothing.
+void test_ignored_labels() {
+  const Mesh labelled_block = labelled(Block_with_holes<Point>(1, 1, 1).soup());
+  const Mesh block = unlabelled(Block_with_holes<Point>(1, 1, 1).soup());
+  const VMP::Partition_options options = options_with(VMP::IGNORE_LABELS);
+  Search with(labelled_block, options), without(block, options);
+  expect(with.run(VMP::Default_parameterization_visitor()), VMP::OK);
+  expect(without.run(VMP::Default_parameterization_visitor()), VMP::OK);
+  assert(with.candidates().size() == without.candidates().size());
+  for (std::size_t i = 0; i < with.candidates().size(); ++i) {
+    Mesh a = labelled_block, b = block;
+    expect(with.label(i, a), VMP::OK);
+    expect(without.label(i, b), VMP::OK);
+    assert(a.points() == b.points() && labels_of(a) == labels_of(b));
+  }
 }
 
 int main() {
@@ -376,6 +395,7 @@ int main() {
   test_determinism(torus);
   test_cancel();
   test_method_names();
+  test_ignored_labels();
   test_picked_bases();
   test_picked_walls();
   test_impossible_picks();

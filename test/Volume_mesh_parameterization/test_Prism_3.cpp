@@ -16,7 +16,8 @@ using Prism = VMP::Prism_3<Kernel>;
 const VMP::Rectangle_2 outer = {0, 0, 7, 3}, left_hole = {1, 1, 2, 2}, right_hole = {4, 0.5, 6, 2.5};
 
 void test_validity() {
-  assert(!Prism().is_valid());
+  assert(!Prism().is_valid() && Prism().number_of_holes() == 0 && Prism().base_area() == 0);
+  assert(Prism().bounded_side(Point_3(1, 0, 0)) == CGAL::ON_UNBOUNDED_SIDE);
   assert(Prism(outer, {}, 1).is_valid());
   assert(Prism(outer, {left_hole, right_hole}, 1).is_valid());
   assert(Prism(outer, {right_hole, left_hole}, 1).is_valid());

@@ -167,10 +167,9 @@ void test_VTU_round_trip() {
 
 void test_VTP() {
   const std::vector<std::vector<Point>> curves = {{{0, 0, 0}, {.1, 0, 1}, {0, 0, 2}}, {}, {{5, 0, 0}, {5, 1e-7, 1}}};
+  const VMP::IO::Data_array levels{"w", std::vector<double>{0, .5, 1, 0, 1}}, numbers{"curve", std::vector<int>{0, 1, 2}};
   std::ostringstream os;
-  expect(VMP::IO::write_VTP(os, curves, {{"w", std::vector<double>{0, .5, 1, 0, 1}}},
-                            {{"curve", std::vector<int>{0, 1, 2}}}),
-         VMP::OK);
+  expect(VMP::IO::write_VTP(os, curves, {levels}, {numbers}), VMP::OK);
   boost::property_tree::ptree tree;
   std::istringstream is(os.str());
   boost::property_tree::read_xml(is, tree);

@@ -38,6 +38,15 @@ void test_good_surfaces() {
   }
 }
 
+// A triangle is reversed if it alone or the first one alone was turned.
+void test_is_reversed(const Soup& turned, const Soup& soup) {
+  std::vector<char> is_reversed;
+  expect(VMP::check_closed_manifold(turned, is_reversed), VMP::OK);
+  const auto is_turned = [&](std::size_t t) { return turned.triangles[t] != soup.triangles[t]; };
+  for (std::size_t t = 0; t < soup.triangles.size(); ++t)
+    assert(bool(is_reversed[t]) == (is_turned(t) != is_turned(0)));
+}
+
 // However triangles are oriented, they end as they were.
 void test_orientation() {
   const Soup soup = block_surface<Point>(1, 2, 2);
@@ -47,6 +56,7 @@ void test_orientation() {
       Soup turned = soup;
       for (std::size_t t = 0; t < turned.triangles.size(); ++t)
         if ((first + (t > 0 && mixed ? random() : 0)) % 2 == 1) std::swap(turned.triangles[t][1], turned.triangles[t][2]);
+      test_is_reversed(turned, soup);
       expect(VMP::check_surface(turned), VMP::OK);
       assert(std::abs(volume(turned) - 8) < 1e-12);
       for (std::size_t t = 0; t < turned.triangles.size(); ++t) {
@@ -61,6 +71,19 @@ void refuse(Soup soup, VMP::Error_code code, const std::string& culprit) {
   const Soup before = soup;
   expect(VMP::check_surface(soup), code, culprit);
   assert(soup.triangles == before.triangles);
+}
+
+// The parts of `check_surface()` by themselves: what is wrong with single triangles is found first.
+void refuse_triangles(const Soup& soup, VMP::Error_code code, const std::string& culprit) {
+  expect(VMP::check_triangles(soup), code, culprit);
+  refuse(soup, code, culprit);
+}
+
+void refuse_topology(const Soup& soup, VMP::Error_code code, const std::string& culprit) {
+  std::vector<char> is_reversed;
+  expect(VMP::check_triangles(soup), VMP::OK);
+  expect(VMP::check_closed_manifold(soup, is_reversed), code, culprit);
+  refuse(soup, code, culprit);
 }
 
 // The surface together with its copy moved by v, equal points being one.
@@ -81,23 +104,24 @@ Soup with_moved_copy(const Soup& soup, const Kernel::Vector_3& v) {
 
 void test_refusals_of_triangles() {
   const Soup good = block_surface<Point>(0, 1, 1);
-  refuse(Soup(), VMP::ERROR_EMPTY_MESH, "no triangles");
+  expect(VMP::check_triangles(good), VMP::OK);
+  refuse_triangles(Soup(), VMP::ERROR_EMPTY_MESH, "no triangles");
   Soup bad = good;
   bad.labels.pop_back();
-  refuse(bad, VMP::ERROR_WRONG_PARAMETER, "labels");
+  refuse_triangles(bad, VMP::ERROR_WRONG_PARAMETER, "labels");
   bad = good;
   bad.triangles[3][1] = bad.points.size();
-  refuse(bad, VMP::ERROR_INDEX_OUT_OF_RANGE, "triangle 3 has the vertices");
+  refuse_triangles(bad, VMP::ERROR_INDEX_OUT_OF_RANGE, "triangle 3 has the vertices");
   bad = good;
   bad.triangles[3][1] = bad.triangles[3][0];
-  refuse(bad, VMP::ERROR_INDEX_OUT_OF_RANGE, "triangle 3 has the vertices");
+  refuse_triangles(bad, VMP::ERROR_INDEX_OUT_OF_RANGE, "triangle 3 has the vertices");
   bad = good;
   bad.points[4] = Point(0, 0, std::numeric_limits<double>::quiet_NaN());
-  refuse(bad, VMP::ERROR_COORDINATE_NOT_FINITE, "vertex 4");
+  refuse_triangles(bad, VMP::ERROR_COORDINATE_NOT_FINITE, "vertex 4");
   bad = good;
   const auto& t = bad.triangles[0];
   bad.points[t[0]] = CGAL::midpoint(bad.points[t[1]], bad.points[t[2]]);
-  refuse(bad, VMP::ERROR_DEGENERATE_TRIANGLE, "triangle 0");
+  refuse_triangles(bad, VMP::ERROR_DEGENERATE_TRIANGLE, "triangle 0");
 }
 
 void test_refusals_of_topology() {
@@ -106,22 +130,29 @@ void test_refusals_of_topology() {
   const auto removed = bad.triangles.back();
   bad.triangles.pop_back();
   bad.labels.clear();
-  refuse(bad, VMP::ERROR_OPEN_SURFACE, std::to_string(*std::min_element(removed.begin(), removed.end())));
-  refuse(with_moved_copy(good, {10, 0, 0}), VMP::ERROR_SEVERAL_COMPONENTS, "2 components");
-  refuse(with_moved_copy(good, {1, 3, 0}), VMP::ERROR_NON_MANIFOLD, "4 triangles share the edge between vertices");
-  refuse(with_moved_copy(good, {1, 3, 1}), VMP::ERROR_NON_MANIFOLD, "touch at vertex");
-  refuse(self_intersecting_surface<Point>(), VMP::ERROR_SELF_INTERSECTION, "triangles");
+  refuse_topology(bad, VMP::ERROR_OPEN_SURFACE, std::to_string(*std::min_element(removed.begin(), removed.end())));
+  refuse_topology(with_moved_copy(good, {10, 0, 0}), VMP::ERROR_SEVERAL_COMPONENTS, "2 components");
+  refuse_topology(with_moved_copy(good, {1, 3, 0}), VMP::ERROR_NON_MANIFOLD, "4 triangles share the edge between vertices");
+  refuse_topology(with_moved_copy(good, {1, 3, 1}), VMP::ERROR_NON_MANIFOLD, "touch at vertex");
 
   Soup doubled;
   doubled.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
   doubled.triangles = {{0, 1, 2}, {0, 2, 1}};
-  refuse(doubled, VMP::ERROR_NON_MANIFOLD, "triangles 0 and 1 have the same vertices");
+  refuse_topology(doubled, VMP::ERROR_NON_MANIFOLD, "triangles 0 and 1 have the same vertices");
 
   Soup projective_plane; // with 6 vertices
   projective_plane.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 2, 3}, {4, 1, 1}};
   projective_plane.triangles = {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 5}, {0, 5, 1},
                                 {1, 2, 4}, {2, 3, 5}, {3, 4, 1}, {4, 5, 2}, {5, 1, 3}};
-  refuse(projective_plane, VMP::ERROR_NON_MANIFOLD, "one side only");
+  refuse_topology(projective_plane, VMP::ERROR_NON_MANIFOLD, "one side only");
+}
+
+// Triangles that intersect may well be a closed manifold.
+void test_refusal_of_intersections() {
+  const Soup soup = self_intersecting_surface<Point>();
+  std::vector<char> is_reversed;
+  expect(VMP::check_closed_manifold(soup, is_reversed), VMP::OK);
+  refuse(soup, VMP::ERROR_SELF_INTERSECTION, "triangles");
 }
 
 void test_face_list_graph() {
@@ -163,6 +194,7 @@ int main() {
   test_orientation();
   test_refusals_of_triangles();
   test_refusals_of_topology();
+  test_refusal_of_intersections();
   test_face_list_graph();
   test_isolated_points();
   std::cout << "done" << std::endl;

@@ -1,10 +1,12 @@
 #undef NDEBUG
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Simple_cartesian.h>
 
 #include <CGAL/Volume_mesh_parameterization/Boundary_map_3.h>
 #include <CGAL/Volume_mesh_parameterization/IO/MEDIT.h>
 #include <CGAL/Volume_mesh_parameterization/IO/VTU.h>
+#include <CGAL/Volume_mesh_parameterization/Piecewise_linear_map_3.h>
 #include <CGAL/Volume_mesh_parameterization/parameterize.h>
 
 #include "io_test_util.h"
@@ -22,6 +24,58 @@
 #include <utility>
 
 namespace VMP = CGAL::Volume_mesh_parameterization;
+
+// What the concept VolumeParameterizationTraits_3 asks for and nothing else: types of one kernel, predicates of another.
+struct Traits_archetype {
+private:
+  using Objects = CGAL::Simple_cartesian<double>;
+  using Predicates = CGAL::Exact_predicates_inexact_constructions_kernel;
+
+  static Predicates::Point_2 convert(const Objects::Point_2& p) { return {p.x(), p.y()}; }
+  static Predicates::Point_3 convert(const Objects::Point_3& p) { return {p.x(), p.y(), p.z()}; }
+  static Predicates::Segment_2 convert(const Objects::Segment_2& s) { return {convert(s[0]), convert(s[1])}; }
+  static Predicates::Segment_3 convert(const Objects::Segment_3& s) { return {convert(s[0]), convert(s[1])}; }
+  static Predicates::Triangle_3 convert(const Objects::Triangle_3& t) {
+    return {convert(t[0]), convert(t[1]), convert(t[2])};
+  }
+
+public:
+  using FT = Objects::FT;
+  using Point_2 = Objects::Point_2;
+  using Segment_2 = Objects::Segment_2;
+  using Point_3 = Objects::Point_3;
+  using Segment_3 = Objects::Segment_3;
+  using Triangle_3 = Objects::Triangle_3;
+
+  struct Orientation_2 {
+    CGAL::Orientation operator()(const Point_2& p, const Point_2& q, const Point_2& r) const {
+      return Predicates::Orientation_2()(convert(p), convert(q), convert(r));
+    }
+  };
+  struct Orientation_3 {
+    CGAL::Orientation operator()(const Point_3& p, const Point_3& q, const Point_3& r, const Point_3& s) const {
+      return Predicates::Orientation_3()(convert(p), convert(q), convert(r), convert(s));
+    }
+  };
+  struct Compare_slope_2 {
+    CGAL::Comparison_result operator()(const Segment_2& s, const Segment_2& t) const {
+      return Predicates::Compare_slope_2()(convert(s), convert(t));
+    }
+  };
+  struct Do_intersect_3 {
+    bool operator()(const Triangle_3& s, const Triangle_3& t) const {
+      return Predicates::Do_intersect_3()(convert(s), convert(t));
+    }
+    bool operator()(const Triangle_3& s, const Segment_3& t) const {
+      return Predicates::Do_intersect_3()(convert(s), convert(t));
+    }
+  };
+  struct Coplanar_orientation_3 {
+    CGAL::Orientation operator()(const Point_3& p, const Point_3& q, const Point_3& r, const Point_3& s) const {
+      return Predicates::Coplanar_orientation_3()(convert(p), convert(q), convert(r), convert(s));
+    }
+  };
+};
 
 // What the concept TetrahedralMesh_3 asks for and nothing else.
 template <typename Kernel>
@@ -173,6 +227,11 @@ public:
   VMP::Status preimage(const typename Domain::Floor_point& foot, VMP::Base_point_3<Kernel>& p) const {
     return m_map->preimage(foot.point, p);
   }
+  VMP::Status map_boundary(const VMP::Compact_tetrahedral_mesh_3<Kernel>& mesh,
+                           const std::vector<typename Kernel::Point_3>& images,
+                           VMP::Boundary_images_3<Kernel>& boundary) {
+    return m_map->map_boundary(mesh, images, boundary);
+  }
 
 private:
   std::unique_ptr<Map> m_map; // movable, not copyable
@@ -215,6 +274,10 @@ void check_floor_map() {
   static_assert(
       std::is_same<VMP::Status, decltype(std::declval<Map>().preimage(std::declval<const Floor_point&>(),
                                                                       std::declval<Base_point&>()))>::value);
+  static_assert(std::is_same<VMP::Status, decltype(std::declval<Floor_map&>().map_boundary(
+                                              std::declval<const VMP::Compact_tetrahedral_mesh_3<Kernel>&>(),
+                                              std::declval<const std::vector<typename Kernel::Point_3>&>(),
+                                              std::declval<VMP::Boundary_images_3<Kernel>&>()))>::value);
 }
 
 template <typename Kernel>
@@ -267,6 +330,9 @@ void test_floor_map() {
   VMP::Direct_product_parameterizer_3<Kernel, Dense_solver_traits, Floor_map> parameterizer(Floor_map(0));
   expect(VMP::parameterize(mesh, parameterizer), VMP::OK);
   test_round_trip(parameterizer, false);
+  VMP::Piecewise_linear_map_3<Kernel> map;
+  expect(VMP::make_piecewise_linear(parameterizer, map), VMP::OK);
+  assert(VMP::verify_map(map.mesh(), map.images()).is_polycube_map());
 }
 
 template <typename Kernel>
@@ -279,6 +345,54 @@ void test(bool is_exact) {
   test_round_trip(parameterizer, is_exact);
   std::cout << parameterizer.mesh().number_of_cells() << " cells: the way back ends where the way there began"
             << (is_exact ? ", exactly" : "") << std::endl;
+}
+
+// Onto a polycube that is given: a block, which is the image of a sheared one.
+void test_polycube() {
+  using Polycube = VMP::Polycube_3<Traits_archetype>;
+  using Boundary_map = VMP::Boundary_map_3<Polycube>;
+  using Point_3 = Traits_archetype::Point_3;
+  const auto soup = Block_with_holes<Point_3>(1, 1, 1).soup();
+  Polycube polycube;
+  expect(polycube.build(Mesh_archetype<Traits_archetype>(soup)), VMP::OK);
+  VMP::Compact_tetrahedral_mesh_3<Traits_archetype> solid;
+  expect(solid.assign(transformed(soup, [](const Point_3& p) { return Point_3(p.x() + p.y(), 2 * p.y(), p.z()); })), VMP::OK);
+  const Boundary_map boundary_map(polycube, soup.points);
+  expect(boundary_map.label_boundary(solid), VMP::OK);
+  VMP::Direct_product_parameterizer_3<Traits_archetype, Dense_solver_traits, Boundary_map> parameterizer(boundary_map);
+  expect(VMP::parameterize(solid, parameterizer), VMP::OK);
+  for (const VMP::Labelled_facet& f : soup.facets)
+    for (std::size_t v : f.vertices) {
+      const Point_3& image = parameterizer.vertex_images()[v];
+      if (f.label == VMP::FLOOR) assert(image == soup.points[v]);
+      if (f.label == VMP::CEILING) assert(image.z() == 1);
+    }
+  VMP::Piecewise_linear_map_3<Traits_archetype> map;
+  expect(VMP::make_piecewise_linear(parameterizer, map), VMP::OK);
+}
+
+// A block so flat that most of its cells are flat once their points are rounded, of which plain doubles are not aware.
+VMP::Tetrahedron_soup_3<Traits_archetype::Point_3> flattened_block() {
+  using Point_3 = Traits_archetype::Point_3;
+  return transformed(Block_with_holes<Point_3>(1, 2, 2).soup(), [&](const Point_3& p) {
+    return Point_3(p.x() / 7 + .1, p.y() / 7 + .3, (p.x() + 2 * p.y()) / 3 + 1e-16 * p.z());
+  });
+}
+
+// All signs come from the traits: those of the kernel of the points would be others.
+void test_signs() {
+  const auto soup = flattened_block();
+  VMP::Compact_tetrahedral_mesh_3<Traits_archetype> mesh;
+  expect(mesh.assign(soup), VMP::OK);
+  std::size_t flat = 0, wrong = 0;
+  for (const auto& v : soup.cells) {
+    const auto &p = soup.points[v[0]], &q = soup.points[v[1]], &r = soup.points[v[2]], &s = soup.points[v[3]];
+    const CGAL::Orientation sign = Traits_archetype::Orientation_3()(p, q, r, s);
+    flat += sign == CGAL::ZERO;
+    wrong += sign != CGAL::orientation(p, q, r, s);
+  }
+  assert(wrong > 0);
+  assert(VMP::verify_map(mesh, mesh.points()).flat == flat);
 }
 
 // A file does not tell from which model it was written.
@@ -297,7 +411,11 @@ void test_output() {
 int main() {
   test<CGAL::Simple_cartesian<double>>(false);
   test<CGAL::Exact_predicates_exact_constructions_kernel>(true);
+  test<Traits_archetype>(false);
   test_floor_map<CGAL::Simple_cartesian<double>>();
+  test_floor_map<Traits_archetype>();
+  test_polycube();
+  test_signs();
   test_output();
   return EXIT_SUCCESS;
 }

@@ -5,8 +5,8 @@
 The concept `VolumeParameterizationTraits_3` gathers the number type, the geometric objects and the predicates of the
 algorithms of this package. Every \cgal kernel is a model.
 
-The predicates must be exact: all topological decisions rest on them. With an exact `FT` the points of curves and the
-images of points under the maps are exact too.
+Predicates are default constructible function objects. They must be exact: all topological decisions rest on them. With an
+exact `FT` the points of curves and the images of points under the maps are exact too.
 
 \cgalHasModelsBegin
 \cgalHasModelsBare{Any \cgal kernel with exact predicates}
@@ -20,12 +20,12 @@ public:
 /// @{
 
 /*!
-The number type, a model of `FieldNumberType` that `CGAL::to_double()` takes.
+The number type, a model of `FieldNumberType` that is constructible from `double`.
 */
 typedef unspecified_type FT;
 
 /*!
-The point type of the plane, as in a \cgal kernel.
+The point type of the plane, as in a \cgal kernel; constructible from two coordinates of type `FT` or `double`.
 */
 typedef unspecified_type Point_2;
 
@@ -35,14 +35,9 @@ The segment type of the plane, as in a \cgal kernel.
 typedef unspecified_type Segment_2;
 
 /*!
-The point type of space, as in a \cgal kernel.
+The point type of space, as in a \cgal kernel; constructible from three coordinates of type `FT` or `double`.
 */
 typedef unspecified_type Point_3;
-
-/*!
-The vector type of space, as in a \cgal kernel.
-*/
-typedef unspecified_type Vector_3;
 
 /*!
 A function object with
@@ -65,20 +60,32 @@ the exact comparison of slopes. `Boundary_map_3` needs it.
 */
 typedef unspecified_type Compare_slope_2;
 
-/// @}
-
-/// \name Operations
-/// @{
+/*!
+The segment type of space, as in a \cgal kernel. `verify_map()` needs it, and so `make_piecewise_linear()`; they need the
+following types too.
+*/
+typedef unspecified_type Segment_3;
 
 /*!
-returns the predicate of the plane.
+The triangle type of space, as in a \cgal kernel.
 */
-Orientation_2 orientation_2_object() const;
+typedef unspecified_type Triangle_3;
 
 /*!
-returns the predicate of space.
+A function object with
+`bool operator()(const Triangle_3& s, const Triangle_3& t) const` and
+`bool operator()(const Triangle_3& s, const Segment_3& t) const`,
+the exact answer to whether the two have a point in common.
 */
-Orientation_3 orientation_3_object() const;
+typedef unspecified_type Do_intersect_3;
+
+/*!
+A function object with
+`CGAL::Orientation operator()(const Point_3& p, const Point_3& q, const Point_3& r, const Point_3& s) const`,
+for coplanar points of which `p`, `q` and `r` are not collinear: `CGAL::POSITIVE` exactly if `r` and `s` are on the same side of
+the line through `p` and `q`.
+*/
+typedef unspecified_type Coplanar_orientation_3;
 
 /// @}
 };

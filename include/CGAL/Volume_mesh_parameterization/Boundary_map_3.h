@@ -13,10 +13,10 @@
 #include <CGAL/Volume_mesh_parameterization/Boundary_images_3.h>
 #include <CGAL/Volume_mesh_parameterization/Polycube_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Axis_aligned_surface.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Boundary_images.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Boundary_triangles.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Facet_adjacency.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Splittable_mesh.h>
+#include <CGAL/Volume_mesh_parameterization/internal/boundary_triangles.h>
+#include <CGAL/Volume_mesh_parameterization/internal/check_boundary_images.h>
 #include <CGAL/Volume_mesh_parameterization/internal/check_coordinates.h>
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
@@ -57,7 +57,8 @@ public:
   using Base_point = Base_point_3<Geom_traits>;         ///< a point of the floor of the solid
 
   /// \param domain has been built; a reference to it is kept
-  /// \param images the images of the first vertices of the solid, of all on its boundary at least; those of inner vertices are not used
+  /// \param images the images of the first vertices of the solid, of all on its boundary at least; those of inner vertices are
+  /// not used
   Boundary_map_3(const Polycube& domain, std::vector<Point_3> images)
       : m_domain(&domain), m_images(std::move(images)) {}
 
@@ -114,7 +115,7 @@ public:
   hands out the images of the boundary vertices of `mesh`: those given, and those of barycentres of split simplices.
 
   \param mesh the solid that `build()` has succeeded for
-    \param boundary receives the result
+  \param boundary receives the result
   */
   Status map_boundary(const Mesh& mesh, const std::vector<Point_3>& /*images*/,
                       Boundary_images_3<Geom_traits>& boundary) const {
@@ -172,7 +173,7 @@ private:
   static Status make_surface(const Mesh& mesh, const std::vector<typename Traits::Point_3>& points,
                              std::vector<int> labels, std::optional<Surface_of<Traits>>& surface) {
     std::vector<typename Surface_of<Traits>::Triangle> triangles;
-    const Status status = internal::boundary_triangles(mesh, points, ERROR_BOUNDARY_MAP, triangles);
+    const Status status = internal::boundary_triangles<Traits>(mesh, points, ERROR_BOUNDARY_MAP, triangles);
     if (status.ok()) surface.emplace(std::move(triangles), std::move(labels));
     return status;
   }

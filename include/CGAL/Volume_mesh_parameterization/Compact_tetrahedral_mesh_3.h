@@ -23,6 +23,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
+#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
@@ -49,6 +51,8 @@ public:
   using FT = typename GeomTraits::FT;           ///< the number type
   using Point_3 = typename GeomTraits::Point_3; ///< the point type
 
+  /// The most cells that there may be: 32 bits number the six edges of each.
+  static constexpr std::size_t most_cells = std::numeric_limits<std::uint32_t>::max() / 6;
   /// The vertices of the facet opposite to vertex `i`, counterclockwise seen from outside of a positive cell.
   static constexpr int facet_vertices[4][3] = {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}};
   /// The two ends of each of the six edges of a cell.
@@ -65,8 +69,9 @@ public:
   /// copies `mesh` and its labels, in linear time for vertices of bounded degree. Indices are checked, geometry and
   /// topology are not: see `check_tetrahedral_mesh()`.
   /// \tparam TetrahedralMesh a model of `TetrahedralMesh_3`
-  /// \returns `ERROR_EMPTY_MESH`, `ERROR_INDEX_OUT_OF_RANGE`, `ERROR_NON_MANIFOLD` (a facet in three cells) or
-  /// `ERROR_LABEL_NOT_ON_BOUNDARY`; then the mesh is left empty
+  /// \returns `ERROR_EMPTY_MESH`, `ERROR_WRONG_PARAMETER` (more than `most_cells`, or as many vertices),
+  /// `ERROR_INDEX_OUT_OF_RANGE`, `ERROR_NON_MANIFOLD` (a facet in three cells) or `ERROR_LABEL_NOT_ON_BOUNDARY`; then the mesh is
+  /// left empty
   template <typename TetrahedralMesh>
   Status assign(const TetrahedralMesh& mesh) {
     Status status = copy(mesh);
@@ -83,7 +88,8 @@ public:
     m_points = std::move(points);
     m_cells = std::move(cells);
     m_split_simplices = std::move(split_simplices);
-    const Status status = number_facets();
+    Status status = check_size(m_points.size(), m_cells.size());
+    if (status.ok()) status = number_facets();
     if (status.ok())
       for (Facet_index f : boundary_facets()) set_label(f, labels[half_facet(f).cell][half_facet(f).index]);
     return status;
@@ -194,10 +200,18 @@ private:
            boost::adaptors::transformed([](std::size_t i) { return Index(i); });
   }
 
+  static Status check_size(std::size_t number_of_vertices, std::size_t number_of_cells) {
+    const std::size_t size = (std::max)(number_of_vertices, number_of_cells);
+    if (size <= most_cells) return {};
+    return {ERROR_WRONG_PARAMETER, std::to_string(size) + " vertices or tetrahedra, more than " + std::to_string(most_cells)};
+  }
+
   template <typename TetrahedralMesh>
   Status copy(const TetrahedralMesh& mesh) {
     const std::size_t nv = mesh.number_of_vertices(), nc = mesh.number_of_cells();
     if (nc == 0) return {ERROR_EMPTY_MESH, "it has no tetrahedra"};
+    const Status status = check_size(nv, nc);
+    if (!status.ok()) return status;
     m_split_simplices.clear();
     m_points.clear();
     m_points.reserve(nv);

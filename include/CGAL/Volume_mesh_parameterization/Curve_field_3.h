@@ -58,7 +58,7 @@ public:
       std::array<FT, 4>; ///< how fast the barycentric coordinates change along a curve; their sum is 0
   using Vector_3 = internal::Double_kernel::Vector_3; ///< a vector of doubles
 
-  static constexpr double default_least_slope = 0.02; ///< of `build()`
+  static constexpr double default_least_slope = 0.02; ///< of the certified field
 
   Curve_field_3() = default;
 

@@ -76,7 +76,7 @@ public:
   may have changed. `make_piecewise_linear()` calls it.
 
   \pre `run()` has succeeded
-  \returns the failure of the floor map; then nothing is changed
+  \returns the failure of the floor map; then nothing is changed; `ERROR_CURVE_LOST`, for `FLUX_CURVES` only
   */
   template <typename ConcurrencyTag = Sequential_tag>
   Status map_boundary(Boundary_images_3<GeomTraits>& boundary) {

@@ -96,6 +96,7 @@ public:
 
   /// returns the location at which `level` is gained, \f$ 0 \le \f$ `level` \f$ \le \f$ `total_level()`, in
   /// \f$ O(\log k) \f$ for \f$ k \f$ segments. Coordinates that are zero along a segment are exactly zero.
+  /// \pre the curve has a segment
   Location at(const FT& level) const {
     const auto found = std::lower_bound(m_segments.begin(), m_segments.end(), level,
                                         [](const Segment& s, const FT& l) { return s.level < l; });
@@ -133,7 +134,8 @@ traces the integral curves of a `Curve_field_3`: straight segments from facet to
 The facet through which a curve leaves a cell is chosen among those that the signs of the field allow, by the least
 quotient of coordinate and rate; that coordinate is then set to zero. A point on several facets passes through the
 cells around it in moves of length zero until it comes to the one that moves it. In a certified field every move goes
-to a cell swept earlier (later, upwards), so a curve always arrives and passes no cell twice.
+to a cell swept earlier (later, upwards), so a curve always arrives and passes no cell twice. The time that it takes is in
+proportion to the number of cells that it passes.
 
 \tparam GeomTraits a model of `VolumeParameterizationTraits_3`; exact number types give exact curves
 */

@@ -85,7 +85,8 @@ describes a partition that was found.
 */
 struct Partition_candidate_3 {
   Partition_method method = BY_CREASES; ///< how it was made
-  Sweep_direction_3 direction;          ///< from the floor to the ceiling
+  /// from the floor to the ceiling
+  Sweep_direction_3 direction = CGAL::NULL_VECTOR;
   Boundary_partition_3 partition;       ///< its patches
   Partition_quality quality;            ///< what was measured
   double cost = 0; ///< of `quality`, infinite if the trial failed; the least is the best

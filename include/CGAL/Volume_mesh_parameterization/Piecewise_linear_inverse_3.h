@@ -53,11 +53,14 @@ public:
   }
 
   /// finds the place of the preimage of `q` in the mesh of the map.
+  /// \pre `build()` has succeeded
   /// \returns `ERROR_OUTSIDE` if `q` is not in the domain. Complexity: \f$ O(\log n) \f$ in meshes of well shaped cells.
   Status preimage(const Point_3& q, Location& result) const { return m_locator->locate(q, result); }
 
   /// appends the preimages of the points over `foot` at these shares of `height`. With a prism's height, this is a column of
   /// `hexahedral_mesh()`.
+  /// \pre `build()` has succeeded
+  /// \returns `ERROR_OUTSIDE`; then points before the failure are appended
   Status column(const Point_2& foot, double height, const std::vector<double>& shares,
                 std::vector<Point_3>& points) const {
     for (double share : shares) {

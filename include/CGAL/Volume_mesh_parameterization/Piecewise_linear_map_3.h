@@ -46,8 +46,8 @@ public:
   computes the map.
 
   The boundary is mapped as given; if it may slide, vertices inside of the walls and of the ceiling move in their planes where
-  tetrahedra resist. The interior starts from the better of two maps, the harmonic one and that along curves, and is untangled cluster by
-  cluster with the energy of V. Garanzha et al., *Foldover-free maps in 50 lines of code*, 2021. Edges of
+  tetrahedra resist. The interior starts from the better of two maps, the harmonic one and that along curves, and is untangled
+  cluster by cluster with the energy of V. Garanzha et al., *Foldover-free maps in 50 lines of code*, 2021. Edges of
   tetrahedra that resist are bisected. Then what is badly distorted is relaxed.
 
   \param mesh a solid with a product structure
@@ -92,7 +92,8 @@ public:
   /// returns what it took, even if there is no map.
   const Untangling_report& report() const { return m_report; }
 
-  /// returns the place of each vertex of `mesh()` in the mesh that it was made of.
+  /// returns the place of each vertex of `mesh()` in the mesh that it was made of, `original`.
+  /// \pre `is_valid()`
   std::vector<Location_3<GeomTraits>> locations(const Mesh& original) const {
     const internal::Refined_places<GeomTraits> places(original, m_mesh);
     std::vector<Location_3<GeomTraits>> result;
@@ -100,7 +101,8 @@ public:
     return result;
   }
 
-  /// returns the cell of the mesh that it was made of which each cell of `mesh()` is a part of.
+  /// returns the cell of the mesh that it was made of, `original`, which each cell of `mesh()` is a part of.
+  /// \pre `is_valid()`
   std::vector<Cell_index> origins(const Mesh& original) const {
     const internal::Refined_places<GeomTraits> places(original, m_mesh);
     std::vector<Cell_index> result;

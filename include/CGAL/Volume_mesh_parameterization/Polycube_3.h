@@ -14,7 +14,7 @@
 #include <CGAL/Volume_mesh_parameterization/Cell_locator_3.h>
 #include <CGAL/Volume_mesh_parameterization/Direct_product_3.h>
 #include <CGAL/Volume_mesh_parameterization/check_tetrahedral_mesh.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Boundary_triangles.h>
+#include <CGAL/Volume_mesh_parameterization/internal/boundary_triangles.h>
 #include <CGAL/Volume_mesh_parameterization/verify_map.h>
 
 #include <array>
@@ -104,7 +104,7 @@ private:
     Status status = copy.assign(mesh);
     if (status.ok()) status = check_tetrahedral_mesh(copy);
     if (status.ok())
-      status = internal::boundary_triangles(copy, copy.points(), ERROR_NOT_A_POLYCUBE, boundary);
+      status = internal::boundary_triangles<GeomTraits>(copy, copy.points(), ERROR_NOT_A_POLYCUBE, boundary);
     return status.ok() ? check_embedding(copy) : status;
   }
 

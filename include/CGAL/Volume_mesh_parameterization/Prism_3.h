@@ -92,7 +92,8 @@ public:
   using Point_3 = typename GeomTraits::Point_3; ///< the point type
   using Floor_point = Point_2;                  ///< a point of the floor of the domain
 
-  Prism_3() = default;
+  /// constructs an empty prism, which is not valid.
+  Prism_3() : Prism_3(Rectangle_2(), {}, 0) {}
 
   /// constructs the prism with the walls labelled `FIRST_WALL`, `FIRST_WALL + 1`, … in the order of the rims.
   Prism_3(const Rectangle_2& outer, const std::vector<Rectangle_2>& holes, double height)
@@ -103,7 +104,7 @@ public:
 
   /// returns whether all rectangles and the height are positive, and the holes are strictly inside and do not even touch.
   bool is_valid() const {
-    if (m_rims.empty() || !(m_height > 0) || !is_positive(outer())) return false;
+    if (!(m_height > 0) || !is_positive(outer())) return false;
     std::vector<Rectangle_2> holes(m_rims.begin() + 1, m_rims.end());
     if (!std::all_of(holes.begin(), holes.end(), [this](const Rectangle_2& hole) { return is_inside(hole); })) return false;
     std::sort(holes.begin(), holes.end(),
@@ -201,7 +202,7 @@ private:
 
   std::vector<Rectangle_2> m_rims;
   std::vector<int> m_wall_labels;
-  double m_height = 0;
+  double m_height;
 };
 
 } // namespace Volume_mesh_parameterization

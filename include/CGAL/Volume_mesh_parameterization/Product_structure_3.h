@@ -43,7 +43,8 @@ public:
 
   Product_structure_3() = default;
 
-  /// takes an order of all cells of `mesh`, not checked here: see `verify_product()`.
+  /// takes an order of the cells of `mesh`; whether it is that of a sweep is not checked here: see `verify_product()`.
+  /// \pre `order` names each cell once, every facet of the boundary has a label
   Product_structure_3(const Mesh& mesh, std::vector<Cell_index> order)
       : m_order(std::move(order)), m_positions(m_order.size()), m_signs(m_order.size()) {
     for (std::size_t k = 0; k < m_order.size(); ++k) m_positions[m_order[k]] = static_cast<std::uint32_t>(k);

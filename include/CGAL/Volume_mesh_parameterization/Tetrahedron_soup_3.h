@@ -31,8 +31,8 @@ struct Labelled_facet {
 /// names the labels of the boundary.
 enum Boundary_label {
   INTERIOR = 0, ///< no boundary facet, or one without label
-  FLOOR = 1,
-  CEILING = 2,
+  FLOOR = 1,    ///< where curves begin
+  CEILING = 2,  ///< where they end
   FIRST_WALL = 3 ///< wall k has the label `FIRST_WALL + k`
 };
 

@@ -29,7 +29,7 @@ public:
   Weighted_statistics() = default;
 
   /// sorts the values in \f$ O(n \log n) \f$.
-  /// \pre there are as many values as weights, no weight is negative
+  /// \pre there are as many values as weights; no value is NaN, no weight is negative
   Weighted_statistics(const std::vector<double>& values, const std::vector<double>& weights) {
     for (std::size_t i = 0; i < values.size(); ++i)
       if (weights[i] > 0) m_samples.push_back({values[i], weights[i]});

@@ -33,10 +33,10 @@ is a vertex at which the topology of the level sets of a function changes. A ver
 with index 2.
 */
 struct Critical_vertex {
-  Vertex_index vertex; ///< where it is
-  int index;        ///< 0 minimum, 1 and 2 saddles, 3 maximum
-  int multiplicity; ///< how many simple critical points it stands for
-  bool on_wall;     ///< whether it lies on the boundary, where the function is taken to be even across it
+  Vertex_index vertex;  ///< where it is
+  int index = 0;        ///< 0 minimum, 1 and 2 saddles, 3 maximum
+  int multiplicity = 0; ///< how many simple critical points it stands for
+  bool on_wall = false; ///< whether it lies on the boundary, where the function is taken to be even across it
 };
 
 namespace internal {

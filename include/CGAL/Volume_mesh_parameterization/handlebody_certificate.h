@@ -21,6 +21,7 @@
 #include <array>
 #include <cstdint>
 #include <cstdlib>
+#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
@@ -120,6 +121,11 @@ private:
 
   // Words grow at each step of a replay: an order in which they explode is given up.
   static constexpr std::size_t letters_per_edge = 16;
+
+  std::size_t most_letters() const { // 32 bits number them
+    const std::size_t numbers = std::numeric_limits<std::uint32_t>::max();
+    return (std::min)(letters_per_edge * m_edges.number_of_edges(), numbers);
+  }
 
   std::array<Edge_index, 3> edges_of(Facet_index f) const {
     const Half_facet h = m_mesh.half_facet(f);
@@ -236,7 +242,7 @@ private:
       word.clear();
       append(word, loop[1], append(word, loop[2], m_edges.ends(e)[0]));
       store(e, word);
-      if (m_certificate.m_letters.size() > letters_per_edge * m_edges.number_of_edges())
+      if (m_certificate.m_letters.size() > most_letters())
         return {ERROR_NOT_A_HANDLEBODY, "the words of the edges grow too long"};
     }
     return {};

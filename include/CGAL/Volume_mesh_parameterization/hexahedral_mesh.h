@@ -121,6 +121,7 @@ private:
 returns the grid of cells whose edges along the three axes have about these lengths.
 
 \tparam GeomTraits a model of `VolumeParameterizationTraits_3`
+\pre `prism.is_valid()`; the lengths are positive
 */
 template <typename GeomTraits>
 Prism_grid prism_grid(const Prism_3<GeomTraits>& prism, const std::array<double, 3>& edges) {
@@ -139,6 +140,7 @@ Prism_grid prism_grid(const Prism_3<GeomTraits>& prism, const std::array<double,
 returns the grid of about cubic cells of edge `edge`.
 
 \tparam GeomTraits a model of `VolumeParameterizationTraits_3`
+\pre `prism.is_valid()`; `edge` is positive
 */
 template <typename GeomTraits>
 Prism_grid prism_grid(const Prism_3<GeomTraits>& prism, double edge) {
@@ -195,6 +197,7 @@ returns the grid of about cubic cells whose number of hexahedra, with those of a
 `target` among edges around the one that the volume suggests.
 
 \tparam GeomTraits a model of `VolumeParameterizationTraits_3`
+\pre `prism.is_valid()`
 */
 template <typename GeomTraits>
 Prism_grid prism_grid_of_size(const Prism_3<GeomTraits>& prism, std::size_t target, bool has_pillow = false) {
@@ -272,6 +275,8 @@ private:
   }
 
   void add_column(int i, int j) {
+    const std::array<int, 4> rims = {m_columns.rim(i, j - 1), m_columns.rim(i + 1, j), m_columns.rim(i, j + 1),
+                                     m_columns.rim(i - 1, j)};
     for (std::size_t k = 0; k < m_grid.layers(); ++k) {
       std::array<std::size_t, 8> h;
       for (int top = 0; top < 2; ++top) {
@@ -283,10 +288,10 @@ private:
       m_mesh.hexahedra.push_back(h);
       if (k == 0) m_mesh.facets.push_back({{h[0], h[3], h[2], h[1]}, FLOOR});
       if (k + 1 == m_grid.layers()) m_mesh.facets.push_back({{h[4], h[5], h[6], h[7]}, CEILING});
-      add_wall(m_columns.rim(i, j - 1), {h[0], h[1], h[5], h[4]});
-      add_wall(m_columns.rim(i + 1, j), {h[1], h[2], h[6], h[5]});
-      add_wall(m_columns.rim(i, j + 1), {h[2], h[3], h[7], h[6]});
-      add_wall(m_columns.rim(i - 1, j), {h[3], h[0], h[4], h[7]});
+      add_wall(rims[0], {h[0], h[1], h[5], h[4]});
+      add_wall(rims[1], {h[1], h[2], h[6], h[5]});
+      add_wall(rims[2], {h[2], h[3], h[7], h[6]});
+      add_wall(rims[3], {h[3], h[0], h[4], h[7]});
     }
   }
 
@@ -307,7 +312,7 @@ private:
 \ingroup PkgVolumeMeshParameterizationHexahedra
 
 extracts the hexahedra of `grid`: those of a prism, seen through the map that `column` evaluates. Facets are labelled
-like the sides of the prism. Linear in the number of hexahedra and of evaluations.
+like the sides of the prism. Linear in the number of hexahedra, of evaluations, and of columns times holes.
 
 \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`: then `column` is called by several
   threads at a time. The result does not depend on it. If `FT` is no floating point type, one thread does all.

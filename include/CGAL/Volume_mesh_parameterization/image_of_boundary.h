@@ -13,8 +13,8 @@
 #include <CGAL/Volume_mesh_parameterization/Compact_tetrahedral_mesh_3.h>
 #include <CGAL/Volume_mesh_parameterization/Error_code.h>
 #include <CGAL/Volume_mesh_parameterization/Polygon_soup_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Boundary_images.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Boundary_triangles.h>
+#include <CGAL/Volume_mesh_parameterization/internal/boundary_triangles.h>
+#include <CGAL/Volume_mesh_parameterization/internal/check_boundary_images.h>
 
 #include <array>
 #include <cstddef>
@@ -37,6 +37,8 @@ makes the surface that a boundary map maps onto, so that the polycube need not b
 
 \returns `ERROR_BOUNDARY_MAP` if a facet is mapped into no plane orthogonal to an axis; `ERROR_COORDINATE_NOT_FINITE`; then
 `surface` is left as it was
+
+Complexity: \f$ O(n) \f$.
 */
 template <typename GeomTraits>
 Status image_of_boundary(const Compact_tetrahedral_mesh_3<GeomTraits>& mesh,
@@ -44,7 +46,7 @@ Status image_of_boundary(const Compact_tetrahedral_mesh_3<GeomTraits>& mesh,
                          Polygon_soup_3<typename GeomTraits::Point_3>& surface) {
   std::vector<std::array<typename GeomTraits::Point_3, 3>> triangles;
   Status status = internal::check_boundary_images(mesh, images);
-  if (status.ok()) status = internal::boundary_triangles(mesh, images, ERROR_BOUNDARY_MAP, triangles);
+  if (status.ok()) status = internal::boundary_triangles<GeomTraits>(mesh, images, ERROR_BOUNDARY_MAP, triangles);
   if (!status.ok()) return status;
   surface = {};
   for (const auto& t : triangles) {

@@ -28,7 +28,7 @@ not cross do not count; at an edge with such a facet it cannot circle.
 */
 struct Irregular_edge {
   std::array<Vertex_index, 2> vertices; ///< its ends
-  int sign_changes; ///< 0: the flux circles around the edge; 4 or more: the edge is a saddle
+  int sign_changes = 0; ///< 0: the flux circles around the edge; 4 or more: the edge is a saddle
 };
 
 namespace internal {

@@ -14,8 +14,8 @@
 #include <CGAL/Volume_mesh_parameterization/Compact_tetrahedral_mesh_3.h>
 #include <CGAL/Volume_mesh_parameterization/Error_code.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Axis_aligned_surface.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Boundary_triangles.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Facet_adjacency.h>
+#include <CGAL/Volume_mesh_parameterization/internal/boundary_triangles.h>
 #include <CGAL/Volume_mesh_parameterization/validate_partition.h>
 
 #include <CGAL/enum.h>
@@ -77,7 +77,7 @@ void write_face_labels(const Facet_adjacency& surface, const Polycube_faces<Geom
 template <typename GeomTraits, typename LabelFaces>
 Status label_faces(Compact_tetrahedral_mesh_3<GeomTraits>& mesh, const LabelFaces& choose) {
   std::vector<typename Polycube_faces<GeomTraits>::Triangle> triangles;
-  Status status = boundary_triangles(mesh, mesh.points(), ERROR_NOT_A_POLYCUBE, triangles);
+  Status status = boundary_triangles<GeomTraits>(mesh, mesh.points(), ERROR_NOT_A_POLYCUBE, triangles);
   if (!status.ok()) return status;
   const Facet_adjacency surface = boundary_adjacency(mesh);
   if (!surface.status().ok()) return surface.status();

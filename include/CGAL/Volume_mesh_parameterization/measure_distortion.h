@@ -30,10 +30,10 @@ namespace Volume_mesh_parameterization {
 is how a piecewise linear map distorts one tetrahedron.
 */
 struct Cell_distortion {
-  std::array<double, 3> singular_values; ///< of the Jacobian, in decreasing order
-  double volume_ratio; ///< determinant of the Jacobian, negative if the tetrahedron is flipped
+  std::array<double, 3> singular_values = {}; ///< of the Jacobian, in decreasing order
+  double volume_ratio = 0; ///< determinant of the Jacobian, negative if the tetrahedron is flipped
   /// \f$ \sum_i \sigma_i^2 + \sigma_i^{-2} \f$, 6 for an isometry, infinite if the tetrahedron is flipped or flat
-  double symmetric_dirichlet_energy;
+  double symmetric_dirichlet_energy = 0;
 };
 
 /*!
@@ -88,6 +88,7 @@ inline Cell_distortion distortion_of(const Eigen::Matrix3d& jacobian) {
 returns the signed volume of each tetrahedron of `mesh` when its vertices are moved to `points`.
 
 \tparam GeomTraits a model of `VolumeParameterizationTraits_3`
+\pre there is one point for each vertex
 */
 template <typename GeomTraits>
 std::vector<double> measure_volumes(const Compact_tetrahedral_mesh_3<GeomTraits>& mesh,

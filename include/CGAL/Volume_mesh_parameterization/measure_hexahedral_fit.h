@@ -134,10 +134,11 @@ private:
 /*!
 \ingroup PkgVolumeMeshParameterizationHexahedra
 
-measures how well hexahedra fill a solid. Distances to the solid are those of the nodes, of the middles of edges and of the middles of
-quadrilaterals; distances from it those of its boundary vertices and of the barycentres of its boundary triangles.
+measures how well hexahedra fill a solid. Distances to the solid are those of the nodes, of the middles of edges and of the
+middles of quadrilaterals; distances from it those of its boundary vertices and of the barycentres of its boundary triangles.
 
-Takes \f$ O((n + m) \log (n + m)) \f$ time for \f$ n \f$ hexahedra and \f$ m \f$ tetrahedra, if the surfaces are near to each other.
+Takes \f$ O((n + m) \log (n + m)) \f$ time for \f$ n \f$ hexahedra and \f$ m \f$ tetrahedra, if the surfaces are near to each
+other.
 
 \tparam GeomTraits a model of `VolumeParameterizationTraits_3`
 \tparam Point a point type of a \cgal kernel

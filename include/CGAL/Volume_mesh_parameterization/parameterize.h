@@ -94,7 +94,7 @@ std::vector<Sweep_direction_3> directions_to_try(const Vector& given) {
 maps the solid inside a closed surface one to one onto a prism: checks the surface, divides it into floor, ceiling and
 walls, fills it with tetrahedra, and calls `parameterize()`. The surface may be oriented either way.
 
-Needs TetGen: see `tetrahedralize()`.
+Needs TetGen, or \cgal 6.1: see `tetrahedralize()`.
 
 \tparam ConcurrencyTag as for `parameterize()`
 \tparam Point the point type of `GeomTraits`

@@ -72,7 +72,12 @@ Named_function_parameters<T, internal_np::number_of_cells_t> number_of_cells(con
   return {t};
 }
 
-// Appends to a chain `np`, whatever it ends with; in CGAL from 5.6 on np.combine(p) does the same.
+/// \endcond
+
+/// \ingroup PkgVolumeMeshParameterizationRef
+/// appends `p` to the chain of named parameters `np`, which may end with one of \cgal; from \cgal 5.6 on `np.combine(p)` does
+/// the same.
+/// \tparam NamedParameters the type of a chain
 template <typename T, typename Tag, typename Base, typename NamedParameters>
 Named_function_parameters<T, Tag, NamedParameters> combine(const NamedParameters& np,
                                                            const Named_function_parameters<T, Tag, Base>& p) {
@@ -80,7 +85,6 @@ Named_function_parameters<T, Tag, NamedParameters> combine(const NamedParameters
 }
 
 } // namespace parameters
-/// \endcond
 
 namespace internal {
 

@@ -181,7 +181,8 @@ the whole mesh. Labels are kept; points of the boundary are only added, on its e
 
 \param mesh a mesh with a legal partition
 \param[out] counts how many simplices were split
-\returns `ERROR_CANNOT_SPLIT` if a barycentre rounds to a place where a cell would not be positive
+\returns `ERROR_CANNOT_SPLIT` if a barycentre rounds to a place where a cell would not be positive; then `mesh` may be refined
+in part
 
 Complexity: \f$ O(n \log n) \f$.
 */

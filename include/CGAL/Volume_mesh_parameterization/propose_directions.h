@@ -109,7 +109,8 @@ inline void take_best(const std::vector<Direction_scores>& sorted, std::size_t n
 \ingroup PkgVolumeMeshParameterizationPartition
 
 returns directions to try for a sweep, the most promising first: those from which the surface looks most like bases and
-walls, in turn with those from which most of it is seen. Unit vectors; of opposite ones there is one only.
+walls, in turn with those from which most of it is seen. Unit vectors; of opposite ones there is one only. Takes linear time for
+each of about 300 directions that are compared.
 
 \tparam Surface a `Compact_tetrahedral_mesh_3`, whose boundary counts, or a `Triangle_soup_3` that is closed
 */

@@ -33,6 +33,7 @@ inline std::vector<std::size_t> order_along_curve(const std::vector<Double_kerne
                                                   std::size_t first = 0) {
   std::vector<std::size_t> order(points.size());
   std::iota(order.begin(), order.end(), std::size_t(0));
+  if (points.empty()) return order; // there is no property map of no points
   const auto point_of = CGAL::make_property_map(points);
   using Traits = Spatial_sort_traits_adapter_3<Double_kernel, decltype(point_of)>;
   CGAL::hilbert_sort(order.begin() + first, order.end(), Traits(point_of));
@@ -59,7 +60,7 @@ two to three times as slow.
 \tparam Point a point type of a \cgal kernel
 
 \param soup a mesh; all vertex numbers are in range and coordinates are finite
-\param number_of_points_to_keep how many of the first points keep their numbers
+\param number_of_points_to_keep how many of the first points keep their numbers, at most all
 
 Complexity: \f$ O(n \log n) \f$.
 */

@@ -63,7 +63,8 @@ public:
       order = from_floor(order, guide);
       if (is_complete(order)) return {};
     }
-    return {ERROR_SWEEP_STOPPED, "after " + std::to_string(m_report.refinements) + " refinements the number of tetrahedra left is " +
+    return {ERROR_SWEEP_STOPPED, "after " + std::to_string(m_report.refinements) +
+                                     " refinements the number of tetrahedra left is " +
                                      std::to_string(m_mesh.number_of_cells() - order.size()) + ", among them " +
                                      std::to_string(first_left(order))};
   }

@@ -225,9 +225,9 @@ std::vector<double> scaled_jacobians(const Hexahedron_soup_3<Point>& soup) {
 
 measures the quality and verifies the topology of a hexahedral mesh.
 
-Whether a hexahedron is inverted is decided exactly, in the whole of it and not only at its corners, from Bernstein coefficients
-of the determinant (A. Johnen, J.-C. Weill, J.-F. Remacle, Robust and efficient validation of the linear hexahedral element, 2017);
-the quality is computed with `double`.
+Whether a hexahedron is inverted is decided exactly, in the whole of it and not only at its corners, from Bernstein
+coefficients of the determinant (A. Johnen, J.-C. Weill, J.-F. Remacle, Robust and efficient validation of the linear hexahedral
+element, 2017); the quality is computed with `double`.
 The scaled Jacobian of a hexahedron is the least determinant of normalized edges over its eight corners and its centre
 (P. Knupp, Algebraic mesh quality metrics for unstructured initial meshes, 2003).
 

@@ -111,7 +111,8 @@ private:
   }
 
   static bool same_side(const Point_3& p, const Point_3& q, const Point_3& r, const Point_3& s) {
-    return CGAL::orientation(p, q, r, s) == COPLANAR && CGAL::coplanar_orientation(p, q, r, s) == POSITIVE;
+    return typename GeomTraits::Orientation_3()(p, q, r, s) == COPLANAR &&
+           typename GeomTraits::Coplanar_orientation_3()(p, q, r, s) == POSITIVE;
   }
 
   const std::vector<Point_3>& m_points;
@@ -167,10 +168,10 @@ private:
   }
 
   void check_signs() {
+    const typename GeomTraits::Orientation_3 orientation;
     for (Cell_index c : m_mesh.cells()) {
       const auto& v = m_mesh.cell(c);
-      const Orientation sign =
-          CGAL::orientation(m_images[v[0]], m_images[v[1]], m_images[v[2]], m_images[v[3]]);
+      const Orientation sign = orientation(m_images[v[0]], m_images[v[1]], m_images[v[2]], m_images[v[3]]);
       if (sign == POSITIVE) continue;
       ++(sign == NEGATIVE ? m_report.flipped : m_report.flat);
       refuse(ERROR_MAP_NOT_BIJECTIVE,
@@ -243,7 +244,8 @@ Overlaps are not looked for when a tetrahedron is not positive.
 
 \returns a report whose status is `ERROR_WRONG_PARAMETER` (not one image for each vertex),
 `ERROR_COORDINATE_NOT_FINITE`, `ERROR_MAP_NOT_BIJECTIVE` (a tetrahedron is flipped or flat, or two boundary triangles
-overlap), `ERROR_INVERTED_TETRAHEDRON` (the orders of vertices disagree), `ERROR_NON_MANIFOLD` or `ERROR_SEVERAL_COMPONENTS` (the boundary is not one closed surface)
+overlap), `ERROR_INVERTED_TETRAHEDRON` (the orders of vertices disagree), `ERROR_NON_MANIFOLD` or `ERROR_SEVERAL_COMPONENTS`
+(the boundary is not one closed surface)
 */
 template <typename GeomTraits>
 Map_report verify_map(const Compact_tetrahedral_mesh_3<GeomTraits>& mesh,

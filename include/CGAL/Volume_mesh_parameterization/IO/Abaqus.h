@@ -125,7 +125,8 @@ The function takes \f$ O(n \log n) \f$ time.
 \param element_type the name of an element with eight nodes: `C3D8` for mechanics, `DC3D8` for heat conduction, ...
 
 \returns `ERROR_EMPTY_MESH`, `ERROR_INDEX_OUT_OF_RANGE`, `ERROR_COORDINATE_NOT_FINITE`, `ERROR_WRONG_PARAMETER` (a negative
-label, or an `element_type` not of capital letters and digits), `ERROR_LABEL_NOT_ON_BOUNDARY` (also for a quadrilateral that is labelled twice) or `ERROR_CANNOT_WRITE_FILE`
+label, or an `element_type` not of capital letters and digits), `ERROR_LABEL_NOT_ON_BOUNDARY` (also for a quadrilateral that is
+labelled twice) or `ERROR_CANNOT_WRITE_FILE`
 */
 template <typename Point>
 Status write_Abaqus(std::ostream& os, const Hexahedron_soup_3<Point>& soup,

@@ -21,11 +21,11 @@ namespace IO {
 /*!
 \ingroup PkgVolumeMeshParameterizationIO
 
-is an array of numbers with a name, one for each point or for each cell, to be shown on a mesh or on curves.
+is an array of numbers with a name, to be shown on a mesh or on curves.
 */
 struct Data_array {
   std::string name;                                           ///< what programs call it
-  std::variant<std::vector<double>, std::vector<int>> values; ///< one or three for each element
+  std::variant<std::vector<double>, std::vector<int>> values; ///< one for each point, or for each cell or curve
 };
 
 } // namespace IO

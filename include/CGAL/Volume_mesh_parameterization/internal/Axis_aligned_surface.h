@@ -67,7 +67,6 @@ public:
   const Triangle& triangle(std::size_t t) const { return m_triangles[t]; }
   const Axis_normal& normal(std::size_t t) const { return m_normals[t]; }
   int label(std::size_t t) const { return m_labels[t]; }
-  void set_labels(std::vector<int> labels) { m_labels = std::move(labels); }
 
   // The least triangle with that normal and label that contains p; a nearest one where p is rounded off the surface; the
   // number of triangles if none has that normal and label.

@@ -44,8 +44,8 @@ struct Drawn_node {
 };
 
 // Keeps the boundary of a hexahedral mesh near to the surface that its nodes move on: corners at rims get better the more
-// surface their hexahedra cut off. The middles of quadrilaterals and of their sides have to be as near as they are, or as is enough. Tells which nodes could cover
-// vertices of the surface that the boundary is too far from: tips and creases.
+// surface their hexahedra cut off. The middles of quadrilaterals and of their sides have to be as near as they are, or as is
+// enough. Tells which nodes could cover vertices of the surface that the boundary is too far from: tips and creases.
 class Surface_watch {
   using Vector = Eigen::Vector3d;
   using Nodes = std::vector<Vector>;

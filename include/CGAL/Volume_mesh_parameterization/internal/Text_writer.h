@@ -15,8 +15,9 @@
 #include <CGAL/number_utils.h>
 
 #include <charconv>
-#include <ostream>
 #include <cstddef>
+#include <ios>
+#include <ostream>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -32,20 +33,26 @@ public:
   explicit Text_writer(std::ostream& os) : m_os(os) {}
   Text_writer(const Text_writer&) = delete;
   Text_writer& operator=(const Text_writer&) = delete;
-  ~Text_writer() { m_os.write(m_text.data(), std::streamsize(m_text.size())); }
+  ~Text_writer() { hand_over(); }
 
   template <typename Item>
   Text_writer& operator<<(const Item& item) {
     append(item);
-    if (m_text.size() > block) {
-      m_os.write(m_text.data(), std::streamsize(m_text.size()));
-      m_text.clear();
-    }
+    if (m_text.size() > block) hand_over();
     return *this;
   }
 
 private:
   static constexpr std::size_t block = 1 << 16;
+
+  // A stream may have been told to throw: what writes returns a `Status`, for which check_stream() asks the stream.
+  void hand_over() {
+    try {
+      m_os.write(m_text.data(), std::streamsize(m_text.size()));
+    } catch (const std::ios_base::failure&) {
+    }
+    m_text.clear();
+  }
 
   template <typename Item>
   void append(const Item& item) {

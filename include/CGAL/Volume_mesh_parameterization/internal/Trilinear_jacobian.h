@@ -53,8 +53,8 @@ public:
     }
   }
 
-  // Whether it is positive everywhere. Indeterminate if intervals are too wide to tell. If its minimum is zero, or positive but less
-  // than most_halvings can tell from zero, it counts as not positive.
+  // Whether it is positive everywhere. Indeterminate if intervals are too wide to tell. If its minimum is zero, or positive but
+  // less than most_halvings can tell from zero, it counts as not positive.
   Uncertain<bool> is_positive() const { return is_positive(0); }
 
 private:
@@ -125,8 +125,8 @@ Uncertain<bool> has_positive_jacobian_in(const std::array<Point, 8>& vertices) {
   return Trilinear_jacobian<NT>(v).is_positive();
 }
 
-// Whether the trilinear map onto a hexahedron has a positive Jacobian everywhere. Exact: by intervals, else by rational numbers; with
-// the number type of the points if that is no floating point type.
+// Whether the trilinear map onto a hexahedron has a positive Jacobian everywhere. Exact: by intervals, else by rational numbers;
+// with the number type of the points if that is no floating point type.
 template <typename Point>
 bool has_positive_jacobian(const std::array<Point, 8>& vertices) {
   using FT = typename Kernel_traits<Point>::Kernel::FT;

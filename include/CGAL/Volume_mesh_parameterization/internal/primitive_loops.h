@@ -13,6 +13,7 @@
 #include <CGAL/Volume_mesh_parameterization/handlebody_certificate.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Refined_surface.h>
 #include <CGAL/Volume_mesh_parameterization/internal/geometric_order.h>
+#include <CGAL/Volume_mesh_parameterization/internal/shortest_path.h>
 
 #include <algorithm>
 #include <array>
@@ -231,17 +232,10 @@ private:
     return m_closed;
   }
 
-  Path path_to(Id v) const {
-    Path path;
-    for (; v != Refined_surface::none; v = m_before[v]) path.push_back(v);
-    std::reverse(path.begin(), path.end());
-    return path;
-  }
-
   // The paths to both ends and the edge between them, without the part that the paths share.
   Path close_loop(Id v, Id w) const {
-    Path loop = path_to(v);
-    const Path back = path_to(w);
+    Path loop = path_to(v, m_before);
+    const Path back = path_to(w, m_before);
     std::size_t shared = 0;
     for (std::size_t k = 0; k < std::min(loop.size(), back.size()) && loop[k] == back[k]; ++k) shared = k;
     loop.erase(loop.begin(), loop.begin() + shared);

@@ -23,6 +23,14 @@ namespace CGAL {
 namespace Volume_mesh_parameterization {
 namespace internal {
 
+// The vertices on the way to v, of each of which the one before it is known; the first has none.
+inline std::vector<Refined_surface::Id> path_to(Refined_surface::Id v, const std::vector<Refined_surface::Id>& before) {
+  std::vector<Refined_surface::Id> path;
+  for (; v != Refined_surface::none; v = before[v]) path.push_back(v);
+  std::reverse(path.begin(), path.end());
+  return path;
+}
+
 // Dijkstra's algorithm in O(n log n): the shortest path along edges, whose lengths are length(v, w), from one of the
 // sources to one of the targets whose inner vertices, at least one, are off the cuts. Empty if there is none. Of equally
 // short paths it takes the one whose last vertices come first by coordinates.
@@ -49,12 +57,7 @@ shortest_path(const Refined_surface& surface, const std::vector<Refined_surface:
     const Id v = entry.second;
     queue.pop();
     if (entry.first > distance[v]) continue;
-    if (is_target[v]) {
-      std::vector<Id> path;
-      for (Id w = v; w != Refined_surface::none; w = before[w]) path.push_back(w);
-      std::reverse(path.begin(), path.end());
-      return path;
-    }
+    if (is_target[v]) return path_to(v, before);
     surface.for_each_neighbor(v, [&](Id w) {
       const bool may_enter = !surface.is_on_cut(w) || (is_target[w] && !surface.is_on_cut(v));
       const double d = entry.first + length(v, w);

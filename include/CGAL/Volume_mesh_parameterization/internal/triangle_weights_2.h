@@ -25,7 +25,7 @@ using Triangle_corners_2 = std::array<typename GeomTraits::Point_2, 3>;
 // Whether the closed triangle contains p; either orientation of the corners will do.
 template <typename GeomTraits>
 bool contains(const Triangle_corners_2<GeomTraits>& c, const typename GeomTraits::Point_2& p) {
-  const typename GeomTraits::Orientation_2 orientation = GeomTraits().orientation_2_object();
+  const typename GeomTraits::Orientation_2 orientation;
   const Orientation o[] = {orientation(c[0], c[1], p), orientation(c[1], c[2], p), orientation(c[2], c[0], p)};
   const bool left = std::count(o, o + 3, LEFT_TURN) > 0, right = std::count(o, o + 3, RIGHT_TURN) > 0;
   return !(left && right);

@@ -5,8 +5,8 @@
 // $Id$
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_BOUNDARY_IMAGES_H
-#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_BOUNDARY_IMAGES_H
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_CHECK_BOUNDARY_IMAGES_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_CHECK_BOUNDARY_IMAGES_H
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
@@ -46,4 +46,4 @@ Status check_boundary_images(const Compact_tetrahedral_mesh_3<GeomTraits>& mesh,
 } // namespace Volume_mesh_parameterization
 } // namespace CGAL
 
-#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_BOUNDARY_IMAGES_H
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_CHECK_BOUNDARY_IMAGES_H

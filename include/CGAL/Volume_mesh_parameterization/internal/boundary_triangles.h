@@ -14,8 +14,6 @@
 #include <CGAL/Volume_mesh_parameterization/Error_code.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Axis_aligned_surface.h>
 
-#include <CGAL/Kernel_traits.h>
-
 #include <array>
 #include <string>
 #include <vector>
@@ -25,12 +23,11 @@ namespace Volume_mesh_parameterization {
 namespace internal {
 
 // The boundary facets with the vertices at `points`, in the order of their numbers. Fails if one is in no plane orthogonal
-// to an axis, with `error`.
-template <typename GeomTraits, typename Point>
+// to an axis, with `error`. Traits: those of the points, which need not be those of the mesh
+template <typename Traits, typename GeomTraits>
 Status boundary_triangles(const Compact_tetrahedral_mesh_3<GeomTraits>& mesh,
-                          const std::vector<Point>& points, Error_code error,
-                          std::vector<std::array<Point, 3>>& triangles) {
-  using Traits = typename Kernel_traits<Point>::Kernel;
+                          const std::vector<typename Traits::Point_3>& points, Error_code error,
+                          std::vector<std::array<typename Traits::Point_3, 3>>& triangles) {
   for (Facet_index f : mesh.boundary_facets()) {
     const auto v = mesh.vertices(f);
     triangles.push_back({points[v[0]], points[v[1]], points[v[2]]});

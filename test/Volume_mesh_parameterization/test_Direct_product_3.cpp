@@ -1,0 +1,93 @@
+#undef NDEBUG
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+
+#include <CGAL/Volume_mesh_parameterization/Direct_product_3.h>
+
+#include "io_test_util.h"
+#include "solid_test_util.h"
+
+#include <cassert>
+#include <cstdlib>
+#include <iostream>
+
+namespace VMP = CGAL::Volume_mesh_parameterization;
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Soup = VMP::Tetrahedron_soup_3<Kernel::Point_3>;
+using Product = VMP::Direct_product_3<Kernel>;
+
+// Every stage has left its result, and the results fit together.
+void test_results(const Product& product, int genus) {
+  const Product::Mesh& mesh = product.mesh();
+  assert(product.partition().genus == genus && product.handlebody_certificate().genus() == genus);
+  expect(VMP::verify_product(mesh, product.product_structure()->order()), VMP::OK);
+  assert(product.dual_potential()->values().size() == mesh.number_of_cells());
+  for (VMP::Facet_index f : mesh.boundary_facets())
+    for (VMP::Vertex_index v : mesh.vertices(f)) {
+      if (mesh.label(f) == VMP::FLOOR) assert((*product.harmonic_function())(v) == 0);
+      if (mesh.label(f) == VMP::CEILING) assert((*product.harmonic_function())(v) == 1);
+    }
+}
+
+// Every curve from the middle of a facet of the floor ends on the ceiling.
+void test_curves(const Product& product) {
+  const Product::Curves curves = product.curves();
+  for (VMP::Facet_index f : floor_facets(product.mesh())) {
+    VMP::Location_3<Kernel> at = curves.locate({f, {1. / 3, 1. / 3, 1. / 3}});
+    VMP::Base_point_3<Kernel> end;
+    double level = 0;
+    expect(curves.trace_to_base(at, VMP::UP, end, level), VMP::OK);
+    assert(product.mesh().label(end.facet) == VMP::CEILING && level > 0);
+  }
+}
+
+void test_kinds_of_curves(int holes) {
+  const Soup soup = shaped_block<Kernel::Point_3>(Shape::BENT, holes, 2, 3);
+  for (VMP::Curve_type type : {VMP::CERTIFIED_CURVES, VMP::FLUX_CURVES}) {
+    Product product;
+    expect(product.build(soup, VMP::parameters::curve_type(type)), VMP::OK);
+    test_results(product, holes);
+    test_curves(product);
+  }
+}
+
+void test_threads() {
+  const Soup soup = shaped_block<Kernel::Point_3>(Shape::JITTERED, 1, 3, 4);
+  Product one, several;
+  expect(one.build(soup), VMP::OK);
+  expect(several.build<CGAL::Parallel_if_available_tag>(soup), VMP::OK);
+  assert(one.product_structure()->order() == several.product_structure()->order());
+  for (VMP::Cell_index c : one.mesh().cells()) assert(one.curve_field()->rates(c) == several.curve_field()->rates(c));
+}
+
+// Lets a number of stages pass.
+struct Impatient_visitor {
+  int patience;
+  bool start_stage(const char*) { return patience-- > 0; }
+};
+
+// What the stages before a failure have found is there, and nothing else.
+void test_failures() {
+  const Soup soup = shaped_block<Kernel::Point_3>(Shape::PLAIN, 1, 1, 1);
+  for (int stages = 0; stages < 5; ++stages) {
+    Product product;
+    expect(product.build(soup, CGAL::parameters::visitor(Impatient_visitor{stages})), VMP::ERROR_CANCELLED);
+    assert((product.mesh().number_of_cells() > 0) == (stages > 0));
+    assert((product.partition().genus == 1) == (stages > 1));
+    assert(bool(product.harmonic_function()) == (stages > 3) && bool(product.dual_potential()) == (stages > 3));
+    assert(bool(product.flux_field()) == (stages > 3) && bool(product.product_structure()) == (stages > 3));
+    assert(!product.curve_field());
+  }
+  Soup unlabelled = soup;
+  unlabelled.facets.pop_back();
+  Product product;
+  expect(product.build(unlabelled), VMP::ERROR_UNLABELLED_FACET);
+  assert(product.mesh().number_of_cells() == soup.cells.size() && !product.product_structure());
+}
+
+int main() {
+  for (int holes = 0; holes <= 2; ++holes) test_kinds_of_curves(holes);
+  test_threads();
+  test_failures();
+  std::cout << "done" << std::endl;
+  return EXIT_SUCCESS;
+}
