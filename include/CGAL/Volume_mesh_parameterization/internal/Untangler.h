@@ -38,8 +38,8 @@ public:
   Untangler(Mapper& mapper, Visitor& visitor, Untangling_report& report)
       : m_mapper(mapper), m_visitor(visitor), m_report(report) {}
 
-  // Ends when nothing is flipped, or when all kinds of refinement have not lessened the number of flips, or when the mesh has grown
-  // too much, or when the work is too much.
+  // Ends when nothing is flipped, or when all kinds of refinement have not lessened the number of flips, or when the mesh has
+  // grown too much, or when the work is too much.
   Status run() {
     const std::size_t cells = m_mapper.mesh().number_of_cells(), vertices = m_mapper.images().size();
     set_bounds(double(cells));
@@ -70,7 +70,8 @@ private:
 
   static constexpr std::size_t most_sliding = 8000; // cells of a part where sliding converges
 
-  // Bounds on the number of Newton steps of cells: for each cell of a small mesh, for one of some size, for each cell of a big one.
+  // Bounds on the number of Newton steps of cells: for each cell of a small mesh, for one of some size, for each cell of a
+  // big one.
   static constexpr double most_steps_per_cell = 20000, enough = 2e8, enough_per_cell = 100;
 
   void set_bounds(double cells) {
