@@ -3,18 +3,20 @@
 
 #include <csignal>
 
-// Ctrl-C asks to stop at the next step; a second one stops at once. In the background of a script it is ignored.
+// Ctrl-C, and SIGTERM as `timeout` sends it, ask to stop at the next step; a second one stops at once. What a script ignores
+// in the background, as shells do with Ctrl-C, is ignored.
 class Interrupt {
 public:
   static void watch() {
-    if (std::signal(SIGINT, remember) == SIG_IGN) std::signal(SIGINT, SIG_IGN);
+    for (int signal : {SIGINT, SIGTERM})
+      if (std::signal(signal, remember) == SIG_IGN) std::signal(signal, SIG_IGN);
   }
   static bool is_requested() { return s_is_requested != 0; }
 
 private:
-  static void remember(int) {
+  static void remember(int signal) {
     s_is_requested = 1;
-    std::signal(SIGINT, SIG_DFL);
+    std::signal(signal, SIG_DFL);
   }
 
   static inline volatile std::sig_atomic_t s_is_requested = 0;
