@@ -157,7 +157,8 @@ private:
     return {};
   }
 
-  // With all directions of x, and two layouts for each: it is hard to foretell what suits a floor that is bent.
+  // With all directions of x, corners that are extreme or right angles, and two layouts for each: it is hard to foretell what
+  // suits a floor that is bent.
   Status embed_roughly() {
     const Floor_embedding start = floor;
     const Planar_positions planar(start.surface, start.rims);
@@ -165,23 +166,31 @@ private:
     Status status = planar.compute(unturned);
     for (double axis : status.ok() ? planar.axes(unturned) : std::vector<double>()) {
       const std::vector<Point_2> positions = Planar_positions::turned(unturned, axis);
-      Floor_embedding uncut = start;
-      choose_corners(positions, uncut.rims);
-      Floor_layout layout(uncut.surface, uncut.rims);
-      std::vector<Rectangle_2> rectangles;
-      status = layout.measure(rectangles);
-      if (status.ok()) status = try_layout(uncut, rectangles);
-      if (uncut.rims.size() > 1 && layout.measure_positions(positions, rectangles))
-        status = try_layout(uncut, rectangles);
+      Floor_embedding extreme = start, angular = start;
+      choose_corners(positions, 0, extreme.rims);
+      status = try_layouts(extreme, positions);
+      choose_corners(positions, 1, angular.rims);
+      const auto same_corners = [](const Floor_rim& a, const Floor_rim& b) { return a.has_corners_of(b); };
+      if (!std::equal(extreme.rims.begin(), extreme.rims.end(), angular.rims.begin(), same_corners))
+        status = try_layouts(angular, positions);
     }
     return floor.images.empty() ? status : Status();
   }
 
-  static void choose_corners(const std::vector<Point_2>& positions, std::vector<Floor_rim>& rims) {
+  static void choose_corners(const std::vector<Point_2>& positions, double angle_weight, std::vector<Floor_rim>& rims) {
     std::sort(rims.begin() + 1, rims.end(), [&](const Floor_rim& a, const Floor_rim& b) {
       return Planar_positions::center(a, positions).x() < Planar_positions::center(b, positions).x();
     });
-    for (Floor_rim& rim : rims) Corner_chooser(positions, rim);
+    for (Floor_rim& rim : rims) Corner_chooser(positions, angle_weight, rim);
+  }
+
+  Status try_layouts(const Floor_embedding& uncut, const std::vector<Point_2>& positions) {
+    Floor_layout layout(uncut.surface, uncut.rims);
+    std::vector<Rectangle_2> rectangles;
+    Status status = layout.measure(rectangles);
+    if (status.ok()) status = try_layout(uncut, rectangles);
+    if (uncut.rims.size() > 1 && layout.measure_positions(positions, rectangles)) status = try_layout(uncut, rectangles);
+    return status;
   }
 
   // Keeps the result if it is the best so far.

@@ -14,6 +14,8 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Refined_surface.h>
 #include <CGAL/Volume_mesh_parameterization/internal/geometric_order.h>
 
+#include <CGAL/number_utils.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -52,6 +54,10 @@ struct Floor_rim {
   Id left() const { return loop[0]; }
   Id right() const { return loop[right_end]; }
   Id corner(int k) const { return loop[corners[k % 4]]; }
+  bool has_corners_of(const Floor_rim& rim) const {
+    return corner(0) == rim.corner(0) && corner(1) == rim.corner(1) && corner(2) == rim.corner(2) &&
+           corner(3) == rim.corner(3);
+  }
 
   // The vertices from corner k to corner k + 1: 0 is the bottom, 1 the right side, 2 the top, 3 the left side.
   std::vector<Id> side(int k) const {
@@ -112,21 +118,22 @@ inline void refine_rim(Refined_surface& surface, std::size_t size, Floor_rim& ri
 }
 
 // Chooses the ends and the corners of a rim where its positions are extreme, but always in the right order, with at
-// least one vertex inside each side: the ends are inside the left and the right one.
+// least one vertex inside each side: the ends are inside the left and the right one. A right angle of the rim is worth
+// `angle_weight` halves of the box for a corner.
 class Corner_chooser {
 public:
-  Corner_chooser(const std::vector<Double_kernel::Point_2>& positions, Floor_rim& rim)
-      : m_positions(positions), m_rim(rim) {
+  Corner_chooser(const std::vector<Double_kernel::Point_2>& positions, double angle_weight, Floor_rim& rim)
+      : m_positions(positions), m_angle_weight(angle_weight), m_rim(rim) {
     find_box();
     const std::size_t size = rim.loop.size(), half = least_size / 2;
     std::rotate(rim.loop.begin(), rim.loop.begin() + best_place(0, size, &Corner_chooser::left),
                 rim.loop.end());
     const std::size_t right = best_place(half, size - half + 1, &Corner_chooser::right);
     rim.right_end = right;
-    rim.corners[0] = best_place(1, right - 2, &Corner_chooser::lower_left);
-    rim.corners[1] = best_place(rim.corners[0] + 2, right, &Corner_chooser::lower_right);
-    rim.corners[2] = best_place(right + 1, size - 2, &Corner_chooser::upper_right);
-    rim.corners[3] = best_place(rim.corners[2] + 2, size, &Corner_chooser::upper_left);
+    rim.corners[0] = best_corner(1, right - 2, &Corner_chooser::lower_left);
+    rim.corners[1] = best_corner(rim.corners[0] + 2, right, &Corner_chooser::lower_right);
+    rim.corners[2] = best_corner(right + 1, size - 2, &Corner_chooser::upper_right);
+    rim.corners[3] = best_corner(rim.corners[2] + 2, size, &Corner_chooser::upper_left);
   }
 
   static constexpr std::size_t least_size = 8; // of the rim
@@ -153,10 +160,30 @@ private:
   }
 
   std::size_t best_place(std::size_t begin, std::size_t end, Score score) const {
-    const auto value = [&](std::size_t i) {
-      const Double_kernel::Point_2& p = m_positions[m_rim.loop[i]];
-      return score((p.x() - m_center[0]) / m_half[0], (p.y() - m_center[1]) / m_half[1]);
-    };
+    return best_of(begin, end, [&](std::size_t i) { return value(i, score); });
+  }
+  std::size_t best_corner(std::size_t begin, std::size_t end, Score score) const {
+    return best_of(begin, end, [&](std::size_t i) {
+      return value(i, score) + m_angle_weight * (std::min)(1., turn(i) / (CGAL_PI / 2));
+    });
+  }
+
+  double value(std::size_t i, Score score) const {
+    const Double_kernel::Point_2& p = position(i);
+    return score((p.x() - m_center[0]) / m_half[0], (p.y() - m_center[1]) / m_half[1]);
+  }
+
+  // The angle by which the rim turns to the left there.
+  double turn(std::size_t i) const {
+    const std::size_t n = m_rim.loop.size();
+    const auto u = position(i) - position((i + n - 1) % n), v = position((i + 1) % n) - position(i);
+    return std::atan2(u.x() * v.y() - u.y() * v.x(), u * v);
+  }
+
+  const Double_kernel::Point_2& position(std::size_t i) const { return m_positions[m_rim.loop[i]]; }
+
+  template <typename Value>
+  static std::size_t best_of(std::size_t begin, std::size_t end, const Value& value) {
     std::size_t best = begin;
     for (std::size_t i = begin; i < end; ++i)
       if (value(i) > value(best) + rounding_share) best = i;
@@ -164,6 +191,7 @@ private:
   }
 
   const std::vector<Double_kernel::Point_2>& m_positions;
+  const double m_angle_weight;
   Floor_rim& m_rim;
   std::array<double, 2> m_center{}, m_half{};
 };
