@@ -158,9 +158,9 @@ private:
     constexpr double volume_weight = 0.2, least_gain = 1e-2;
     std::vector<Vector> best_nodes = m_nodes;
     Badness least = badness();
-    for (int round = 0; round < most_rounds && -least.second < flat; ++round) {
+    for (int round = 0; round < most_rounds && (least.first > 0 || -least.second < flat); ++round) {
       for (std::size_t h = 0; h < m_hexahedra.size(); ++h)
-        if (m_qualities[h] < flat)
+        if (m_inverted[h] || m_qualities[h] < flat)
           for (std::size_t v : m_hexahedra[h]) m_slacks[v] = tolerance * mean_edge(v);
       if (round % 2 == 1 && least.first > 0) spread();
       for (int power : powers) run_pass({power, volume_weight}, least_gain);
