@@ -119,7 +119,7 @@ Status make_hexahedra(const Hexahedra_options& options, const Prism_parameterize
   if (status.ok() && options.has_pillow) status = VMP::pillow_hexahedra(hexahedra);
   if (!status.ok()) return status;
   report["hexahedra_before_optimization"] = report_hexahedra(VMP::verify_hexahedra(hexahedra), hexahedra.hexahedra.size(), options.has_pillow);
-  status = VMP::optimize_hexahedra(solid.mesh(), hexahedra, optimization(options.has_pillow));
+  status = VMP::optimize_hexahedra<Tag>(solid.mesh(), hexahedra, optimization(options.has_pillow));
   if (!status.ok()) return status;
   const VMP::Hexahedra_report quality = VMP::verify_hexahedra(hexahedra);
   const std::vector<double> scaled_jacobians = VMP::scaled_jacobians(hexahedra);

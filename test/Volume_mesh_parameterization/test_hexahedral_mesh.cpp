@@ -4,6 +4,7 @@
 #include <CGAL/Volume_mesh_parameterization/hexahedral_mesh.h>
 #include <CGAL/Volume_mesh_parameterization/verify_hexahedra.h>
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <cstdlib>
@@ -93,6 +94,26 @@ void test_grading() {
   }
 }
 
+// Two holes whose sides are nearly on the same lines: no slivers between them, and nodes are on the sides all the same.
+void test_shared_lines() {
+  const Prism prism({0, 0, 5, 3}, {{1, 1, 2, 2}, {3, 1.1, 4, 2.2}}, 1);
+  const std::vector<double> fine = VMP::prism_grid(prism, 0.1).y;
+  for (double side : {1., 1.1, 2., 2.2}) assert(std::binary_search(fine.begin(), fine.end(), side));
+  const VMP::Prism_grid grid = VMP::prism_grid(prism, 0.5);
+  assert(grid.y.size() == 7 && grid.x.size() == 11);
+  Hexahedra mesh;
+  VMP::Status status = VMP::hexahedral_mesh(prism, grid, Identity{1, 1}, mesh);
+  assert(status.ok() && mesh.hexahedra.size() == VMP::number_of_hexahedra(prism, grid));
+  const VMP::Hexahedra_report report = VMP::verify_hexahedra(mesh);
+  assert(report.is_valid() && report.genus == 2 && report.minimum_scaled_jacobian > 0.9);
+  for (const VMP::Labelled_quadrilateral& q : mesh.facets)
+    if (q.label > VMP::FIRST_WALL)
+      for (std::size_t v : q.vertices)
+        assert(prism.hole(q.label - VMP::FIRST_WALL - 1).bounded_side(mesh.points[v]) == CGAL::ON_BOUNDARY);
+  status = VMP::hexahedral_mesh(prism, {{0, 2.5, 5}, {0, 1, 2, 3}, {0, 1}}, Identity{1, 1}, mesh);
+  assert(status.code() == VMP::ERROR_WRONG_PARAMETER); // no column in the holes
+}
+
 void test_mirrored() {
   Hexahedra mesh;
   const Prism prism = block(1);
@@ -128,6 +149,7 @@ int main() {
   test_block(Prism({0, 0, 4, 3}, {{1, 1, 2, 1.5}, {0.5, 2, 2.5, 2.5}, {2.25, 0.25, 3.75, 1.75}}, 1.5));
   test_target();
   test_grading();
+  test_shared_lines();
   test_mirrored();
   test_refusals();
   std::cout << "done" << std::endl;

@@ -7,6 +7,9 @@
 #include <CGAL/Volume_mesh_parameterization/hexahedral_mesh.h>
 #include <CGAL/Volume_mesh_parameterization/optimize_hexahedra.h>
 
+#include <CGAL/tags.h>
+
+#include <array>
 #include <cassert>
 #include <cmath>
 #include <cstdlib>
@@ -107,7 +110,8 @@ void test_untangling(int holes, double edge, double amplitude) {
   assert(report.is_valid() && report.genus == holes);
   assert(report.minimum_scaled_jacobian > 0.5 && report.mean_scaled_jacobian > 0.9);
   check_carriers<K>(object, block.hexahedra);
-  assert(VMP::optimize_hexahedra(object, again).ok() && again.points == block.hexahedra.points);
+  assert(VMP::optimize_hexahedra<CGAL::Parallel_if_available_tag>(object, again).ok() &&
+         again.points == block.hexahedra.points);
 }
 
 // A square made round: its four vertical edges vanish in a smooth wall, where corners are nearly flat. A higher target
@@ -164,6 +168,61 @@ void test_derivatives() {
         assert(close(e.qq, (q1.q - q0.q) / (2 * h)) && close(e.dd, (d1.d - d0.d) / (2 * h)));
         assert(close(e.qd, (d1.q - d0.q) / (2 * h)) && close(e.qd, (q1.d - q0.d) / (2 * h)));
       }
+}
+
+// What a star's energy is after a step, it is at once where the node is there.
+void test_star_energy() {
+  const std::vector<Eigen::Vector3d> nodes{{0, 0, 0}, {1, 0.1, 0}, {1.2, 1, 0},     {0, 0.9, 0.2},
+                                           {0, 0, 1}, {1, 0, 1.1}, {1.1, 0.8, 1.3}, {0.1, 1, 1}};
+  const std::array<std::size_t, 8> hexahedron{0, 1, 2, 3, 4, 5, 6, 7};
+  const Eigen::Vector3d lengths(1, 0.8, 1.2), step(0.1, -0.2, 0.05);
+  const VMP::internal::Corner_energy corner{2, 0.6, 0.4};
+  const auto energy = [&](const std::vector<Eigen::Vector3d>& at, int vertex) {
+    VMP::internal::Star_energy star(corner, 1);
+    star.add(at, hexahedron, vertex, lengths, false);
+    return star;
+  };
+  for (int v = 0; v < 8; ++v) {
+    const VMP::internal::Star_energy star = energy(nodes, v);
+    const auto derivatives = star.derivatives();
+    std::vector<Eigen::Vector3d> moved = nodes;
+    moved[v] += step;
+    assert(std::abs(star(step) - energy(moved, v)(Eigen::Vector3d::Zero())) < 1e-12 * star(step));
+    assert(std::abs(star(Eigen::Vector3d::Zero()) - derivatives.value) < 1e-12 * derivatives.value);
+    const double h = 1e-4, slope = (star(h * step) - star(-h * step)) / (2 * h);
+    const double bend = (star(h * step) - 2 * derivatives.value + star(-h * step)) / (h * h);
+    assert(std::abs(slope - derivatives.gradient.dot(step)) < 1e-5 * (1 + std::abs(slope)));
+    assert(std::abs(bend - step.dot(derivatives.hessian * step)) < 1e-3 * (1 + std::abs(bend)));
+  }
+}
+
+// Nodes that move at the same time share no hexahedron, and each node is in one class.
+void test_classes() {
+  const Block<Kernel> block(1, 0.5);
+  const auto& h = block.hexahedra.hexahedra;
+  const VMP::internal::Incidence_lists<std::size_t, std::size_t> stars(block.hexahedra.points.size(), h.size(),
+                                                                       [&](std::size_t k) { return h[k]; });
+  const auto classes = VMP::internal::color_nodes(stars, h);
+  std::vector<std::size_t> class_of(stars.size(), classes.size());
+  for (std::size_t k = 0; k < classes.size(); ++k)
+    for (std::size_t v : classes[k]) {
+      assert(class_of[v] == classes.size());
+      class_of[v] = k;
+    }
+  for (const auto& nodes : h) {
+    std::set<std::size_t> found;
+    for (std::size_t v : nodes) found.insert(class_of[v]);
+    assert(found.size() == 8 && *found.rbegin() < classes.size());
+  }
+}
+
+// Good corners do not rule out that a hexahedron with edges of most different lengths is inverted inside.
+void test_inverted_inside() {
+  const std::vector<Eigen::Vector3d> nodes{{0, 0, 0},    {-39, -10, 37}, {-11, -39, 19}, {-15, 0, -21},
+                                           {-4, -4, -5}, {-11, 35, 44},  {1, -35, 27},   {1, -2, -18}};
+  const std::array<std::size_t, 8> hexahedron{0, 1, 2, 3, 4, 5, 6, 7};
+  const double quality = VMP::internal::corner_scaled_jacobian(nodes, hexahedron);
+  assert(quality > 0.35 && VMP::internal::is_inverted(nodes, hexahedron, quality));
 }
 
 VMP::Error_code code_of(const Object<Kernel>& object, Hexahedra<Kernel> hexahedra,
@@ -223,6 +282,9 @@ void test_refused_parameters() {
 
 int main() {
   test_derivatives();
+  test_star_energy();
+  test_classes();
+  test_inverted_inside();
   test_untangling<Kernel>(0, 0.375, 0.28);
   test_untangling<Kernel>(2, 0.5, 0.45);
   test_untangling<CGAL::Exact_predicates_exact_constructions_kernel>(1, 0.5, 0.45);

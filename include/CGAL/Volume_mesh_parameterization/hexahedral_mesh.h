@@ -21,6 +21,8 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <iterator>
+#include <map>
 #include <utility>
 #include <vector>
 
@@ -30,7 +32,8 @@ namespace Volume_mesh_parameterization {
 /*!
 \ingroup PkgVolumeMeshParameterizationHexahedra
 
-is a grid of a prism: lines at all its sides and between them, in equal steps, and levels.
+is a grid of a prism: lines at all its sides and between them, in equal steps, and levels. Sides of holes may be a little beside
+their line: it bends there, so that it is at the side of each hole that it is nearest to.
 */
 struct Prism_grid {
   std::vector<double> x; ///< the lines x = constant, in increasing order
@@ -58,25 +61,64 @@ inline std::vector<double> graded_levels(std::size_t layers, double ratio = 1) {
 
 namespace internal {
 
-// The sides of all rims, and equidistant lines between them at a distance of about `edge`.
-inline std::vector<double> grid_lines(std::vector<double> sides, double edge) {
-  std::sort(sides.begin(), sides.end());
-  sides.erase(std::unique(sides.begin(), sides.end()), sides.end());
-  std::vector<double> lines(1, sides[0]);
-  for (std::size_t i = 1; i < sides.size(); ++i) {
-    const double from = sides[i - 1], to = sides[i];
-    const int steps = (std::max)(1, int(std::lround((to - from) / edge)));
+// The sides of all rims, and equidistant lines between them at a distance of about `edge`. Sides that follow each other
+// within half of that, and all have their holes on the right or all on the left, share a line in their middle.
+class Grid_lines {
+public:
+  template <typename GeomTraits>
+  Grid_lines(const Prism_3<GeomTraits>& prism, int axis, double edge) : m_edge(edge) {
+    for (std::size_t r = 0; r < prism.number_of_rims(); ++r) {
+      m_sides[prism.rim(r).low(axis)] |= r == 0 ? OUTER : LOW;
+      m_sides[prism.rim(r).high(axis)] |= r == 0 ? OUTER : HIGH;
+    }
+  }
+
+  std::vector<double> lines() const {
+    std::vector<double> result(1, m_sides.begin()->first);
+    for (auto first = std::next(m_sides.begin()), end = first; first != m_sides.end(); first = end) {
+      while (end != m_sides.end() && (end == first || may_share(*first, *end))) ++end;
+      add_lines((first->first + std::prev(end)->first) / 2, result);
+    }
+    return result;
+  }
+
+private:
+  enum Kind { LOW = 1, HIGH = 2, OUTER = 4 }; // a hole begins, ends; the base does
+  using Side = std::pair<const double, int>;
+
+  bool may_share(const Side& a, const Side& b) const {
+    constexpr double share = 0.5;
+    return a.second == b.second && (a.second == LOW || a.second == HIGH) && b.first - a.first < share * m_edge;
+  }
+
+  void add_lines(double to, std::vector<double>& lines) const {
+    const double from = lines.back();
+    const int steps = (std::max)(1, int(std::lround((to - from) / m_edge)));
     for (int k = 1; k < steps; ++k) lines.push_back(from + (to - from) * k / steps);
     lines.push_back(to);
   }
-  return lines;
-}
 
-// Which column of the grid belongs to which hole.
+  std::map<double, int> m_sides; // with their kinds
+  double m_edge;
+};
+
+// Which column of the grid belongs to which hole, and where lines cross.
 template <typename GeomTraits>
 class Prism_columns {
 public:
-  Prism_columns(const Prism_3<GeomTraits>& prism, const Prism_grid& grid) : m_prism(prism), m_grid(grid) {}
+  Prism_columns(const Prism_3<GeomTraits>& prism, const Prism_grid& grid) : m_prism(prism), m_grid(grid) {
+    for (std::size_t k = 0; k < prism.number_of_holes(); ++k) m_holes.push_back(lines_of(prism.hole(k)));
+  }
+
+  // Whether there are columns in all holes and all around them.
+  bool is_valid() const {
+    for (auto h = m_holes.begin(); h != m_holes.end(); ++h)
+      if (!(h->xmin < h->xmax && h->ymin < h->ymax && 0 < h->xmin && 0 < h->ymin && h->xmax < width() &&
+            h->ymax < depth()) ||
+          std::any_of(std::next(h), m_holes.end(), [&](const Lines& other) { return h->meets(other); }))
+        return false;
+    return true;
+  }
 
   int width() const { return int(m_grid.x.size()) - 1; }
   int depth() const { return int(m_grid.y.size()) - 1; }
@@ -84,13 +126,26 @@ public:
   // The rim whose wall one meets when entering column (i, j): 0 outside, 1 + k in hole k, -1 in the solid.
   int rim(int i, int j) const {
     if (i < 0 || j < 0 || i >= width() || j >= depth()) return 0;
-    const auto middle = [](const std::vector<double>& lines, int k) { return (lines[k] + lines[k + 1]) / 2; };
-    const typename GeomTraits::Point_2 p(middle(m_grid.x, i), middle(m_grid.y, j));
-    for (std::size_t k = 0; k < m_prism.number_of_holes(); ++k)
-      if (m_prism.hole(k).bounded_side(p) != ON_UNBOUNDED_SIDE) return int(k) + 1;
+    for (std::size_t k = 0; k < m_holes.size(); ++k) {
+      const Lines& h = m_holes[k];
+      if (h.xmin <= i && i < h.xmax && h.ymin <= j && j < h.ymax) return int(k) + 1;
+    }
     return -1;
   }
   bool is_solid(int i, int j) const { return rim(i, j) < 0; }
+
+  // The crossing of lines i and j, on the sides of the hole that it belongs to.
+  typename GeomTraits::Point_2 crossing(int i, int j) const {
+    double x = m_grid.x[i], y = m_grid.y[j];
+    for (std::size_t k = 0; k < m_holes.size(); ++k) {
+      const Lines& h = m_holes[k];
+      if (i < h.xmin || i > h.xmax || j < h.ymin || j > h.ymax) continue;
+      const Rectangle_2& r = m_prism.hole(k);
+      x = i == h.xmin ? r.xmin : i == h.xmax ? r.xmax : x;
+      y = j == h.ymin ? r.ymin : j == h.ymax ? r.ymax : y;
+    }
+    return {x, y};
+  }
 
   std::size_t count() const {
     std::size_t n = 0;
@@ -109,8 +164,26 @@ public:
   }
 
 private:
+  // Numbers of the lines at the sides of a hole.
+  struct Lines {
+    int xmin, ymin, xmax, ymax;
+    bool meets(const Lines& l) const {
+      return xmin <= l.xmax && l.xmin <= xmax && ymin <= l.ymax && l.ymin <= ymax;
+    }
+  };
+
+  Lines lines_of(const Rectangle_2& r) const {
+    return {nearest(m_grid.x, r.xmin), nearest(m_grid.y, r.ymin), nearest(m_grid.x, r.xmax), nearest(m_grid.y, r.ymax)};
+  }
+  static int nearest(const std::vector<double>& lines, double c) {
+    const auto next = std::lower_bound(lines.begin(), lines.end(), c);
+    const bool is_previous = next == lines.end() || (next != lines.begin() && c - *std::prev(next) < *next - c);
+    return int(next - lines.begin()) - int(is_previous);
+  }
+
   const Prism_3<GeomTraits>& m_prism;
   const Prism_grid& m_grid;
+  std::vector<Lines> m_holes;
 };
 
 } // namespace internal
@@ -118,20 +191,17 @@ private:
 /*!
 \ingroup PkgVolumeMeshParameterizationHexahedra
 
-returns the grid of cells whose edges along the three axes have about these lengths.
+returns the grid of cells whose edges along the three axes have about these lengths. Sides of holes that nearly have a line in
+common, as far as half an edge, share one if no other kind of side is between them.
 
 \tparam GeomTraits a model of `VolumeParameterizationTraits_3`
 \pre `prism.is_valid()`; the lengths are positive
 */
 template <typename GeomTraits>
 Prism_grid prism_grid(const Prism_3<GeomTraits>& prism, const std::array<double, 3>& edges) {
-  std::vector<double> x, y;
-  for (std::size_t r = 0; r < prism.number_of_rims(); ++r) {
-    x.insert(x.end(), {prism.rim(r).xmin, prism.rim(r).xmax});
-    y.insert(y.end(), {prism.rim(r).ymin, prism.rim(r).ymax});
-  }
   const std::size_t layers = (std::max)(1l, std::lround(prism.height() / edges[2]));
-  return {internal::grid_lines(x, edges[0]), internal::grid_lines(y, edges[1]), graded_levels(layers)};
+  return {internal::Grid_lines(prism, 0, edges[0]).lines(), internal::Grid_lines(prism, 1, edges[1]).lines(),
+          graded_levels(layers)};
 }
 
 /*!
@@ -248,7 +318,7 @@ private:
         const bool is_used = m_columns.is_solid(i - 1, j - 1) || m_columns.is_solid(i, j - 1) ||
                              m_columns.is_solid(i - 1, j) || m_columns.is_solid(i, j);
         m_first.push_back(is_used ? crossings.size() * (m_grid.layers() + 1) : none);
-        if (is_used) crossings.emplace_back(m_grid.x[i], m_grid.y[j]);
+        if (is_used) crossings.push_back(m_columns.crossing(i, j));
       }
     return crossings;
   }
@@ -321,8 +391,8 @@ like the sides of the prism. Linear in the number of hexahedra, of evaluations, 
 \tparam GeomTraits a model of `VolumeParameterizationTraits_3`
 \tparam Point a point type of a \cgal kernel
 
-\returns `ERROR_WRONG_PARAMETER` if `prism` is not valid, `grid` is empty or a column has a wrong length, or the status of
-  the first column that fails; then the mesh is left empty
+\returns `ERROR_WRONG_PARAMETER` if `prism` is not valid, `grid` is empty or has no columns in a hole or between two, or a column
+  has a wrong length, or the status of the first column that fails; then the mesh is left empty
 */
 template <typename ConcurrencyTag = Sequential_tag, typename GeomTraits, typename Column, typename Point>
 Status hexahedral_mesh(const Prism_3<GeomTraits>& prism, const Prism_grid& grid, const Column& column,
@@ -332,6 +402,8 @@ Status hexahedral_mesh(const Prism_3<GeomTraits>& prism, const Prism_grid& grid,
   for (const std::vector<double>* places : {&grid.x, &grid.y, &grid.levels})
     if (places->size() < 2 || !std::is_sorted(places->begin(), places->end(), std::less_equal<double>()))
       return {ERROR_WRONG_PARAMETER, "the lines or levels of the grid do not increase"};
+  if (!internal::Prism_columns<GeomTraits>(prism, grid).is_valid())
+    return {ERROR_WRONG_PARAMETER, "the grid has too few lines for the holes"};
   const Status status = internal::Hexahedra_builder<GeomTraits, Point>(prism, grid, mesh)
                             .template build<ConcurrencyTag>(column);
   if (!status.ok()) mesh = Hexahedron_soup_3<Point>();

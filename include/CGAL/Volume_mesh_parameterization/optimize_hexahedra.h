@@ -15,7 +15,10 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Carriers_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Hexahedra_optimizer.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Hexahedron_facets.h>
+#include <CGAL/Volume_mesh_parameterization/measure_hexahedral_fit.h>
 #include <CGAL/Volume_mesh_parameterization/verify_hexahedra.h>
+
+#include <CGAL/tags.h>
 
 #include <Eigen/Dense>
 
@@ -118,6 +121,21 @@ std::vector<Eigen::Vector3d> surface_vertices(const Compact_tetrahedral_mesh_3<G
   return result;
 }
 
+// The lower the better: the number of inverted hexahedra; by how much the least scaled Jacobian falls short of the target and
+// the distance to the surface exceeds the greatest, added; the opposite of the mean.
+using Hexahedra_grade = std::tuple<std::size_t, double, double>;
+
+template <typename GeomTraits, typename Point>
+Hexahedra_grade grade_hexahedra(const Compact_tetrahedral_mesh_3<GeomTraits>& object,
+                                const Hexahedron_soup_3<Point>& hexahedra, const Hexahedra_optimization& options) {
+  const Hexahedra_report report = verify_hexahedra(hexahedra);
+  const Hexahedral_fit fit = measure_hexahedral_fit(object, hexahedra);
+  const double distance = (std::max)(fit.distance_to_solid, fit.distance_from_solid) / fit.edge;
+  const double lack = (std::max)(0., options.target - report.minimum_scaled_jacobian) +
+                      (std::max)(0., distance - options.greatest_distance);
+  return {report.inverted, lack, -report.mean_scaled_jacobian};
+}
+
 } // namespace internal
 
 /*!
@@ -134,12 +152,15 @@ The boundary stays near to the surface: the middles of quadrilaterals and of the
 inside a patch, the nearest nodes are drawn there, as far as hexahedra remain good.
 
 Nothing warrants that no hexahedron is inverted in the end: where the solid is smooth at a rim, the scaled Jacobian is small,
-and without tolerance tends to zero under refinement, unless there is a layer of hexahedra as `pillow_hexahedra()` makes it. If in the end neither
-fewer hexahedra are inverted nor the least scaled Jacobian is larger, the mesh is left as it was. The result is the
-same in each run. Use `verify_hexahedra()` for measures before and after.
+and without tolerance tends to zero under refinement, unless there is a layer of hexahedra as `pillow_hexahedra()` makes it.
+
+The mesh is left as it was unless in the end fewer hexahedra are inverted, or as many and less is missing to `target` and
+`greatest_distance` together, or as much and the mean scaled Jacobian is larger. The result is the same in each run. Use
+`verify_hexahedra()` and `measure_hexahedral_fit()` for measures before and after.
 
 Takes \f$ O(n \log m) \f$ time for each sweep over \f$ n \f$ nodes and a boundary of \f$ m \f$ triangles.
 
+\tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; the result does not depend on it
 \tparam GeomTraits a model of `VolumeParameterizationTraits_3`
 \tparam Point a point type of a \cgal kernel, constructible from three `double`
 
@@ -153,7 +174,7 @@ labels, which the boundary of `object` does not have; `ERROR_EMPTY_MESH`, `ERROR
 `ERROR_INDEX_OUT_OF_RANGE`, `ERROR_COORDINATE_NOT_FINITE`, `ERROR_UNLABELLED_FACET` or `ERROR_LABEL_NOT_ON_BOUNDARY`; then
 `hexahedra` is left as it was
 */
-template <typename GeomTraits, typename Point>
+template <typename ConcurrencyTag = Sequential_tag, typename GeomTraits, typename Point>
 Status optimize_hexahedra(const Compact_tetrahedral_mesh_3<GeomTraits>& object,
                           Hexahedron_soup_3<Point>& hexahedra, const Hexahedra_optimization& options = {}) {
   if (options.most_sweeps < 0 || !(options.target <= 1) || !(options.second_target <= 1) ||
@@ -175,7 +196,7 @@ Status optimize_hexahedra(const Compact_tetrahedral_mesh_3<GeomTraits>& object,
   if (!status.ok()) return status;
   internal::Surface_watch watch(internal::carried_quadrilaterals(carriers, hexahedra),
                                 internal::surface_vertices(object), nodes, options.greatest_distance);
-  internal::Hexahedra_optimizer optimizer(nodes, hexahedra.hexahedra, carrier_of_node, std::move(watch));
+  internal::Hexahedra_optimizer<ConcurrencyTag> optimizer(nodes, hexahedra.hexahedra, carrier_of_node, std::move(watch));
   optimizer.run(options.most_sweeps, options.target, options.second_target, options.surface_tolerance);
 
   Hexahedron_soup_3<Point> result = hexahedra;
@@ -183,11 +204,8 @@ Status optimize_hexahedra(const Compact_tetrahedral_mesh_3<GeomTraits>& object,
     const Eigen::Vector3d& p = optimizer.nodes()[v];
     if (p != nodes[v]) result.points[v] = Point(p.x(), p.y(), p.z());
   }
-  const Hexahedra_report after = verify_hexahedra(result);
-  const auto badness = [](const Hexahedra_report& r) {
-    return std::make_tuple(r.inverted, -r.minimum_scaled_jacobian);
-  };
-  if (badness(after) < badness(before)) hexahedra = std::move(result);
+  const internal::Hexahedra_grade old_grade = internal::grade_hexahedra(object, hexahedra, options);
+  if (internal::grade_hexahedra(object, result, options) < old_grade) hexahedra = std::move(result);
   return {};
 }
 

@@ -12,6 +12,7 @@
 
 #include <CGAL/ipower.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace CGAL {
@@ -21,9 +22,10 @@ namespace internal {
 /*
 The energy of a corner of a hexahedron, which is least when its edges are orthogonal and have their rest lengths. With the
 matrix J of edges divided by rest lengths, q = |J|^2 / 3 and d = det J it is
-  ((1 - w) q / chi(d)^(2/3) + w (d^2 + 1) / (2 chi(d)))^power,   chi(d) = (d + sqrt(d^2 + epsilon^2)) / 2.
+  ((1 - w) q^(3/2) / chi(d) + w (d^2 + 1) / (2 chi(d)))^power,   chi(d) = (d + sqrt(d^2 + epsilon^2)) / 2.
 The sum is that of V. Garanzha, I. Kaporin, L. Kudryavtseva, F. Protais, N. Ray, D. Sokolov, Foldover-free maps in 50
-lines of code, 2021, equations (2) and (3); a high power looks after the worst corners.
+lines of code, 2021, equations (2) and (3), but for the exponent of the first term, q / chi^(2/3) there, which costs a
+cubic root; a high power looks after the worst corners.
 */
 struct Corner_energy {
   int power = 1;
@@ -36,25 +38,21 @@ struct Corner_energy {
   double root(double d) const { return std::sqrt(d * d + epsilon * epsilon); }
   double chi(double d) const { return (d + root(d)) / 2; }
 
-  double operator()(double q, double d) const { return CGAL::ipower(base(q, d), power); }
+  double operator()(double q, double d) const { return CGAL::ipower(numerator(q, d) / chi(d), power); }
 
   Derivatives derivatives(double q, double d) const {
-    const double w = volume_weight, r = root(d), x = (d + r) / 2;
-    const double x1 = x / r, x2 = epsilon * epsilon / (2 * r * r * r);
-    const double r1 = x1 / x, r2 = x2 / x;
-    const double shape = (1 - w) / std::cbrt(x * x), volume = w * (d * d + 1) / (2 * x);
-    const double b = shape * q + volume, bq = shape, bqd = -2. / 3 * shape * r1;
-    const double bd = q * bqd + w * d / x - volume * r1;
-    const double bdd = q * shape * (10. / 9 * r1 * r1 - 2. / 3 * r2) + w * (1 - 2 * d * r1) / x +
-                       volume * (2 * r1 * r1 - r2);
+    constexpr double least = 1e-12; // of q, where all edges vanish
+    const double r = root(d), x = (d + r) / 2, r1 = 1 / r, r2 = epsilon * epsilon / (2 * r * r * r * x);
+    const double shape = (1 - volume_weight) / x, volume = volume_weight / x, size = std::sqrt((std::max)(q, least));
+    const double b = numerator(q, d) / x, bq = 1.5 * shape * size, bqq = 0.75 * shape / size;
+    const double bd = volume * d - b * r1, bdd = volume * (1 - 2 * d * r1) + b * (2 * r1 * r1 - r2);
     const double f = CGAL::ipower(b, power), f1 = power * f / b, f2 = (power - 1) * f1 / b;
-    return {f, f1 * bq, f1 * bd, f2 * bq * bq, f1 * bqd + f2 * bq * bd, f1 * bdd + f2 * bd * bd};
+    return {f, f1 * bq, f1 * bd, f1 * bqq + f2 * bq * bq, f2 * bq * bd - f1 * bq * r1, f1 * bdd + f2 * bd * bd};
   }
 
 private:
-  double base(double q, double d) const {
-    const double x = chi(d);
-    return (1 - volume_weight) * q / std::cbrt(x * x) + volume_weight * (d * d + 1) / (2 * x);
+  double numerator(double q, double d) const {
+    return (1 - volume_weight) * q * std::sqrt(q) + volume_weight * (d * d + 1) / 2;
   }
 };
 

@@ -52,7 +52,7 @@ inline double corner_scaled_jacobian(const std::vector<Eigen::Vector3d>& nodes,
 // differences that is not tiny has the exact sign, and good corners hardly leave room for a bad inside.
 inline bool is_inverted(const std::vector<Eigen::Vector3d>& nodes, const std::array<std::size_t, 8>& hexahedron,
                         double scaled_jacobian) {
-  constexpr double rounding = 1e-12, good = 0.4;
+  constexpr double rounding = 1e-12, good = 0.7;
   if (scaled_jacobian > good) return false;
   if (scaled_jacobian < -rounding) return true;
   std::array<Simple_cartesian<double>::Point_3, 8> vertices;
