@@ -138,8 +138,8 @@ private:
   // The mean is looked after as long as a sweep raises it notably, and the worst hexahedra only kept from becoming worse than
   // `target`.
   void raise_mean(double target) {
-    constexpr int power = 3, fewest_sweeps = 10;
-    constexpr double volume_weight = 0, least_gain = 1e-4, least_rise = 5e-5;
+    constexpr int power = 1, fewest_sweeps = 10;
+    constexpr double volume_weight = 0, least_gain = 1e-5, least_rise = 1e-5;
     m_least_allowed = (std::min)(target, least_scaled_jacobian());
     start_pass({power, volume_weight});
     double mean = -1;
