@@ -61,12 +61,14 @@ Soup renumbered(const Soup& soup, const Vertices& vertices, Random& random) {
 // Compares the results on a block with those on its copy, point p of which is `map`(p), renumbered.
 class Comparison {
 public:
+  // curve_tolerance: how far curves may differ, relative to the edge of a cube of the block
   Comparison(const Parameterizer& a, const Parameterizer& b, const Transformation& map,
-             const Vertices& vertices)
+             const Vertices& vertices, double curve_tolerance)
       : m_a(a),
         m_b(b),
         m_map(map),
         m_vertices(vertices),
+        m_curve_tolerance(curve_tolerance),
         m_scale(std::cbrt(CGAL::to_double(determinant()))) {}
 
   void run() const {
@@ -125,7 +127,7 @@ private:
     for (std::size_t r = 0; r < a.number_of_rims(); ++r) assert(a.wall_label(r) == b.wall_label(r));
     const double gap = std::min(largest_gap(false), largest_gap(true));
     std::cout << ", domains and images by " << gap << std::flush;
-    assert(gap < 1e-12); // relative to the edge of a cube of the block
+    assert(gap < m_curve_tolerance);
   }
 
   double largest_gap(bool turned) const {
@@ -170,7 +172,7 @@ private:
       largest = std::max(largest, std::sqrt(CGAL::squared_distance(m_map.transform(p), q)) / m_scale);
     }
     std::cout << ", ends of curves by " << largest << std::endl;
-    assert(largest < 1e-12);
+    assert(largest < m_curve_tolerance);
   }
 
   static Point_3 end_of_curve(const Parameterizer& p, const VMP::Base_point_3<Kernel>& start) {
@@ -203,7 +205,7 @@ private:
   const Parameterizer &m_a, &m_b;
   Transformation m_map;
   Vertices m_vertices;
-  double m_scale;
+  double m_curve_tolerance, m_scale;
 };
 
 void run(Parameterizer& parameterizer, const Soup& soup) {
@@ -222,17 +224,19 @@ Transformation rotation() {
 }
 
 void compare(const char* what, const Parameterizer& original, const Soup& soup, const Transformation& map,
-             const Vertices& vertices) {
+             const Vertices& vertices, double curve_tolerance = 1e-12) {
   Parameterizer other;
   run(other, soup);
   std::cout << what << ": ";
-  Comparison(original, other, map, vertices).run();
+  Comparison(original, other, map, vertices, curve_tolerance).run();
 }
 
-void compare_orders(const char* what, const Parameterizer& original, const Soup& block, Random& random) {
+void compare_orders(const char* what, const Parameterizer& original, const Soup& block, Random& random,
+                    double curve_tolerance) {
   for (int k = 0; k < 3; ++k) {
     const Vertices vertices = shuffled_numbers(block.points.size(), random);
-    compare(what, original, renumbered(block, vertices, random), Transformation(CGAL::IDENTITY), vertices);
+    compare(what, original, renumbered(block, vertices, random), Transformation(CGAL::IDENTITY), vertices,
+            curve_tolerance);
   }
 }
 
@@ -255,7 +259,9 @@ int main() {
   const Soup uneven = uneven_block();
   Parameterizer of_uneven;
   run(of_uneven, uneven);
-  compare_orders("order", of_uneven, uneven, random);
+  // A flux that is not uniform is smoothed cell after cell, so that curves depend on the order of the cells, by less than the
+  // edge of a cell.
+  compare_orders("order", of_uneven, uneven, random, 0.25);
   compare_movements(of_uneven, uneven);
 
   // full of ties: equally long edges, equal potentials, equally short paths, facets without flux
@@ -263,7 +269,7 @@ int main() {
     const Soup grid = shaped_block<Point_3>(Shape::PLAIN, holes, 3, 4);
     Parameterizer of_grid;
     run(of_grid, grid);
-    compare_orders("order of a grid", of_grid, grid, random);
+    compare_orders("order of a grid", of_grid, grid, random, 1e-12);
   }
   std::cout << "done" << std::endl;
   return EXIT_SUCCESS;

@@ -76,7 +76,8 @@ public:
 
   /// computes fluxes from the gradient of `harmonic_function`, which jumps across facets: the means of both sides, made
   /// conservative around each vertex (Braess and Schöberl 2008), and smoothed by taking circulations away around each edge
-  /// (Hiptmair 1998). No linear system of the size of the mesh is solved: the time is linear.
+  /// (Hiptmair 1998). No linear system of the size of the mesh is solved: the time is linear. What is left of the roughness
+  /// depends on the numbering of the cells; `solve()` does not.
   /// \tparam Harmonic_function `Harmonic_function_3` of the same mesh
   /// \pre `harmonic_function` is solved
   template <typename Harmonic_function>
