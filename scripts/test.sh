@@ -1,12 +1,13 @@
 #!/usr/bin/env bash
-# Installs what is missing, builds everything, runs all tests, and writes the documentation, which must raise no warning.
+# Installs what is missing, builds everything but the benchmarks, runs all tests, and writes the documentation, which must
+# raise no warning.
 # shellcheck source-path=SCRIPTDIR source=common.sh
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
 if [ $# -gt 0 ]; then
   say "usage: scripts/test.sh"
-  say "Installs the Debian packages that are missing, builds all into build-test, runs all tests with CTest and"
-  say "writes the documentation into build-test/doc/html."
+  say "Installs the Debian packages that are missing, builds all but the benchmarks into build-test, runs all tests with"
+  say "CTest and writes the documentation into build-test/doc/html."
   case $1 in -h | --help) exit 0 ;; *) exit 2 ;; esac
 fi
 
@@ -14,7 +15,7 @@ build=$root/build-test
 install "${compiler_packages[@]}" "${library_packages[@]}" "${petsc_packages[@]}" doxygen
 provide_cgal_data "$build/cgal"
 
-# -O1: most of the time goes into compilation, of examples even more
+# -O1, and no optimization of examples: most of the time goes into compilation
 cmake -S "$root" -B "$build" -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_FLAGS_RELEASE="-O1 -DNDEBUG" -DCGAL_DATA_DIR="$build/cgal/data" \
   -DWITH_demo=ON -DWITH_examples=ON -DEXAMPLE_COMPILE_OPTIONS=-O0 -DWITH_tests=ON \
   -DCMAKE_CXX_FLAGS="-Wall -Wextra -Wpedantic -Werror"

@@ -229,7 +229,7 @@ double energy_of(const Mesh& mesh, const Field& field) {
 }
 
 // Relaxed long enough, the conservative flux becomes that of least energy; its total through the ceiling stays, so what is
-// compared is the direction, with a flux of the same total. A uniform flux has no circulation, and stays as it is.
+// compared is the direction, with a flux of the same total.
 void test_relaxation() {
   const Mesh mesh = mesh_of(wedge(2));
   std::vector<double> volumes;
