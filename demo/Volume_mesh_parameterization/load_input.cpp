@@ -7,7 +7,6 @@
 #include <CGAL/Volume_mesh_parameterization/check_surface.h>
 #include <CGAL/Volume_mesh_parameterization/check_tetrahedral_mesh.h>
 #include <CGAL/Volume_mesh_parameterization/make_triangle_soup.h>
-#include <CGAL/Volume_mesh_parameterization/partition_boundary.h>
 #include <CGAL/Volume_mesh_parameterization/remesh_thin_triangles.h>
 #include <CGAL/Volume_mesh_parameterization/tetrahedralize.h>
 
@@ -43,30 +42,6 @@ Status read_soup(const std::string& file, Soup& soup) {
   if (format == ".vtk") return VMP::IO::read_VTK(file, soup);
   if (format == ".vtu") return VMP::IO::read_VTU(file, soup);
   return {VMP::ERROR_WRONG_FORMAT, "the name does not end in .off .obj .ply .stl .mesh .vtk or .vtu"};
-}
-
-Status load_surface(const Input_options& options, Stage_clock& clock, Input& input) {
-  if (options.partition == "labels") return {VMP::ERROR_UNLABELLED_FACET, "a surface file has no labels"};
-  Surface surface;
-  clock.start("read and check the surface");
-  Status status = read_surface(options.file, surface);
-  if (!status.ok()) return status;
-  if (cut_thin_triangles(options, surface)) input.number_of_triangles = surface.triangles.size();
-  clock.start("partition and tetrahedralize");
-  return VMP::partition_and_tetrahedralize(surface, partition_options(options), options.number_of_tetrahedra, input.mesh,
-                                           &input.chosen.emplace(), Clock_visitor(clock));
-}
-
-Status load_tetrahedra(const Input_options& options, Stage_clock& clock, Input& input) {
-  clock.start("read and check the tetrahedra");
-  const Status status = read_tetrahedra(options.file, input.mesh);
-  if (!status.ok()) return status;
-  const auto labels = input.mesh.labelled_facets();
-  const bool is_auto = options.partition == "auto" || (options.partition.empty() && options.direction);
-  input.has_labels = !is_auto && std::any_of(labels.begin(), labels.end(), [](const auto& f) { return f.label != 0; });
-  if (options.partition == "labels" || input.has_labels) return {};
-  clock.start("partition");
-  return VMP::partition_boundary(input.mesh, partition_options(options), &input.chosen.emplace(), Clock_visitor(clock));
 }
 
 } // namespace
@@ -125,9 +100,4 @@ Status load_unlabelled(const Input_options& options, Stage_clock& clock, Input& 
   if (status.ok() && input.is_surface) status = input.mesh.assign(soup);
   input.number_of_points = input.is_surface ? surface.points.size() : input.mesh.number_of_vertices();
   return status;
-}
-
-Status load_input(const Input_options& options, Stage_clock& clock, Input& input) {
-  input.is_surface = is_surface_file(options.file);
-  return input.is_surface ? load_surface(options, clock, input) : load_tetrahedra(options, clock, input);
 }

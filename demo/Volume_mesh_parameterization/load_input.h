@@ -18,7 +18,7 @@ struct Input {
   std::size_t number_of_points = 0; // in the file, as far as they are used
   bool is_surface = false;
   std::size_t number_of_triangles = 0; // of a surface whose thin triangles were cut, else 0
-  bool has_labels = false;                           // given in the file
+  bool has_labels = false;                          // given in the file
   std::optional<VMP::Partition_candidate_3> chosen; // the automatic partition
 };
 
@@ -38,8 +38,5 @@ VMP::Status read_points(const std::string& file, std::vector<Point_3>& points);
 
 // What the options say about an automatic partition.
 VMP::Partition_options partition_options(const Input_options& options);
-
-// Reads and checks the file, chooses the labels unless they are given, and tetrahedralizes a surface.
-VMP::Status load_input(const Input_options& options, Stage_clock& clock, Input& input);
 
 #endif // HANDLEBODY_LOAD_INPUT_H

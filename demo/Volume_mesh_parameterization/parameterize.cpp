@@ -1,3 +1,4 @@
+#include "Partition_source.h"
 #include "Result_folder.h"
 #include "Stage_clock.h"
 #include "commands.h"
@@ -13,7 +14,11 @@
 #include <CGAL/Volume_mesh_parameterization/verify_map.h>
 
 #include <iostream>
+#include <cmath>
+#include <limits>
+#include <memory>
 #include <optional>
+#include <string>
 
 using VMP::Status;
 
@@ -51,30 +56,38 @@ class Parameterization {
 
 public:
   explicit Parameterization(const Parameterize_options& options)
-      : m_options(options), m_folder(options.folder), m_clock(options.quiet) {}
+      : m_options(options), m_folder(options.folder), m_clock(options.quiet), m_partitions(options.input, m_clock) {}
 
   int run() {
     const Status writable = m_folder.create(m_options.input.file);
     if (!writable.ok()) return say(writable, INPUT_REFUSED);
     m_report["input"] = {{"file", m_options.input.file}};
     m_report["threads"] = m_options.threads;
-    Input input;
-    std::optional<FloorMap> floor_map;
-    Status status = load(input, floor_map);
-    if (status.ok()) status = map_solid(input, *floor_map);
+    const Status status = map_solid();
     if (is_refusal(status)) return finish(status, INPUT_REFUSED);
-    const Status written = m_parameterizer ? write_what_holds() : Status();
+    const Status written = m_attempt ? write_what_holds() : Status();
     return written.ok() ? finish(status.ok() ? m_not_certified : status, exit_code(status))
                         : finish(written, INPUT_REFUSED);
   }
 
 private:
+  // A labelled solid, and how far its maps got.
+  struct Attempt {
+    Attempt(Input input, const FloorMap& floor_map) : input(std::move(input)), parameterizer(floor_map) {}
+
+    double energy() const {
+      return status.ok() && boundary_status.ok() ? boundary.energy : std::numeric_limits<double>::infinity();
+    }
+
+    Input input;
+    Parameterizer parameterizer;
+    VMP::Boundary_images_3<Kernel> boundary;
+    Status status, boundary_status;
+  };
+
   Status load(Input& input, std::optional<Prism_floor_map>& floor_map) {
+    const Status status = floor_map ? m_partitions.next(input) : m_partitions.first(input);
     floor_map.emplace(m_options.prism);
-    const Status status = load_input(m_options.input, m_clock, input);
-    if (!status.ok()) return status;
-    m_report["input"]["partition"] = input.has_labels ? "labels" : "auto";
-    if (input.chosen) m_report["input"]["chosen_partition"] = report_candidate(*input.chosen);
     return status;
   }
 
@@ -99,32 +112,79 @@ private:
     return floor_map->label_boundary(input.mesh);
   }
 
-  Status map_solid(const Input& input, const FloorMap& floor_map) {
-    m_report["input"]["kind"] = input.is_surface ? "surface" : "tetrahedra";
-    if (input.number_of_triangles > 0) m_report["input"]["triangles_after_cutting_thin_ones"] = input.number_of_triangles;
-    const auto type = m_options.field == Field::FLUX ? VMP::FLUX_CURVES : VMP::CERTIFIED_CURVES;
-    m_parameterizer.emplace(floor_map);
-    const Status status = m_parameterizer->template run<CGAL::Parallel_if_available_tag>(
-        input.mesh, VMP::parameters::curve_type(type).visitor(Clock_visitor(m_clock)));
-    if (status.ok() && type == VMP::CERTIFIED_CURVES) m_linear_status = make_linear();
+  // With the first partition whose boundary map has little energy, or with the one that has least.
+  Status map_solid() {
+    constexpr double good = 8; // the maps of all solids with less extended inside; 4 is that of an isometry
+    constexpr int most_attempts = 6;
+    std::optional<FloorMap> floor_map;
+    Status status;
+    for (int k = 0; k < most_attempts && (k == 0 || is_worth_another(good)); ++k) {
+      Input input = k == 0 ? Input() : m_attempt->input;
+      status = load(input, floor_map);
+      if (!status.ok()) break;
+      const std::string prefix = k == 0 ? "" : "partition " + std::to_string(k + 1) + ": ";
+      auto attempt = std::make_unique<Attempt>(std::move(input), *floor_map);
+      map(*attempt, Clock_visitor(m_clock, prefix));
+      report_attempt(*attempt);
+      status = attempt->status;
+      if (!m_attempt || attempt->energy() < m_attempt->energy()) m_attempt = std::move(attempt);
+      if (status.code() == VMP::ERROR_CANCELLED) break;
+    }
+    if (status.code() == VMP::ERROR_CANCELLED || !m_attempt) return status;
+    if (m_attempt->status.ok() && is_linear_wanted()) m_linear_status = make_linear();
     m_clock.finish();
-    m_report["input"]["tetrahedra"] = input.mesh.number_of_cells();
-    return m_linear_status.code() == VMP::ERROR_CANCELLED ? m_linear_status : status;
+    report_input(m_attempt->input);
+    return m_linear_status.code() == VMP::ERROR_CANCELLED ? m_linear_status : m_attempt->status;
+  }
+
+  bool is_worth_another(double good) const {
+    return m_attempt->input.chosen && is_linear_wanted() && !(m_attempt->energy() <= good);
+  }
+
+  bool is_linear_wanted() const { return m_options.field != Field::FLUX; }
+
+  void map(Attempt& attempt, const Clock_visitor& visitor) {
+    using Tag = CGAL::Parallel_if_available_tag;
+    const auto type = m_options.field == Field::FLUX ? VMP::FLUX_CURVES : VMP::CERTIFIED_CURVES;
+    attempt.status = attempt.parameterizer.template run<Tag>(attempt.input.mesh, VMP::parameters::curve_type(type).visitor(visitor));
+    if (!attempt.status.ok() || !is_linear_wanted()) return;
+    m_clock.start("map the boundary");
+    attempt.boundary_status = attempt.parameterizer.template map_boundary<Tag>(attempt.boundary);
+  }
+
+  void report_attempt(const Attempt& attempt) {
+    if (!attempt.input.chosen) return;
+    Json tried = report_candidate(*attempt.input.chosen);
+    tried["status"] = report_status(attempt.status.ok() ? attempt.boundary_status : attempt.status);
+    if (std::isfinite(attempt.energy())) tried["boundary_energy"] = attempt.energy();
+    m_report["input"]["tried_partitions"].push_back(tried);
+  }
+
+  void report_input(const Input& input) {
+    Json& report = m_report["input"];
+    if (m_options.boundary_map.empty()) report["partition"] = input.has_labels ? "labels" : "auto";
+    if (input.chosen) report["chosen_partition"] = report_candidate(*input.chosen);
+    report["kind"] = input.is_surface ? "surface" : "tetrahedra";
+    if (input.number_of_triangles > 0) report["triangles_after_cutting_thin_ones"] = input.number_of_triangles;
+    report["tetrahedra"] = input.mesh.number_of_cells();
   }
 
   Status make_linear() {
-    return VMP::make_piecewise_linear<CGAL::Parallel_if_available_tag>(
-        *m_parameterizer, m_linear, CGAL::parameters::visitor(Clock_visitor(m_clock)));
+    if (!m_attempt->boundary_status.ok()) return m_attempt->boundary_status;
+    m_clock.start("untangle");
+    Clock_visitor visitor(m_clock);
+    const Parameterizer& p = m_attempt->parameterizer;
+    return m_linear.build(p.mesh(), p.product_structure()->order(), m_attempt->boundary, p.vertex_images(), visitor);
   }
 
   // The mesh that is written, and the order in which its cells are swept.
-  const Mesh& object() const { return m_linear.is_valid() ? m_linear.mesh() : m_parameterizer->mesh(); }
+  const Mesh& object() const { return m_linear.is_valid() ? m_linear.mesh() : m_attempt->parameterizer.mesh(); }
   const std::vector<VMP::Cell_index>& order() const {
-    return m_linear.is_valid() ? m_linear.order() : m_parameterizer->product_structure()->order();
+    return m_linear.is_valid() ? m_linear.order() : m_attempt->parameterizer.product_structure()->order();
   }
 
   Status write_what_holds() {
-    const Parameterizer& p = *m_parameterizer;
+    const Parameterizer& p = m_attempt->parameterizer;
     m_clock.start("check and write");
     report_mesh();
     Status status = VMP::IO::write_MEDIT(m_folder.file(Result_folder::object), object());
@@ -147,7 +207,7 @@ private:
   }
 
   void report_mesh() {
-    const Parameterizer& p = *m_parameterizer;
+    const Parameterizer& p = m_attempt->parameterizer;
     const VMP::Preparation& splits = p.preparation();
     m_report["counts"] = {{"tetrahedra", object().number_of_cells()},
                           {"vertices", object().number_of_vertices()},
@@ -166,7 +226,7 @@ private:
   }
 
   void report_fields() {
-    const Parameterizer& p = *m_parameterizer;
+    const Parameterizer& p = m_attempt->parameterizer;
     m_report["residuals"] = {{"harmonic_function", p.harmonic_function()->residual()},
                              {"dual_potential", p.dual_potential()->residual()},
                              {"flux", p.flux_field()->residual()},
@@ -183,7 +243,7 @@ private:
   }
 
   Status write_map() {
-    const Parameterizer& p = *m_parameterizer;
+    const Parameterizer& p = m_attempt->parameterizer;
     const VMP::Map_report map = VMP::verify_map(p.mesh(), p.vertex_images());
     m_report["vertex_map"] = {{"flipped", map.flipped},
                               {"flat", map.flat},
@@ -204,7 +264,7 @@ private:
 
   void report_floor(const Prism_floor_map& map) {
     m_report["floor_distortion"] =
-        report_distortion(VMP::measure_floor_distortion(m_parameterizer->mesh(), map));
+        report_distortion(VMP::measure_floor_distortion(m_attempt->parameterizer.mesh(), map));
   }
   void report_floor(const Given_boundary_map&) {}
 
@@ -216,9 +276,9 @@ private:
     m_report["distortion"] = report_distortion(VMP::measure_distortion(object(), images));
     m_report["piecewise_linear_map"] = {{"status", report_status(m_linear_status)},
                                         {"untangling", report_untangling(m_linear.report())},
-                                        {"tetrahedra_before", m_parameterizer->mesh().number_of_cells()}};
+                                        {"tetrahedra_before", m_attempt->parameterizer.mesh().number_of_cells()}};
     report_distance_to_phi(images);
-    report_lines(*m_parameterizer->floor_map(), images);
+    report_lines(*m_attempt->parameterizer.floor_map(), images);
     if (!is_linear && m_not_certified.ok()) m_not_certified = m_linear_status;
     if (!is_linear) return {};
     Soup image = VMP::make_soup(object());
@@ -228,7 +288,7 @@ private:
 
   void report_distance_to_phi(const std::vector<Point_3>& images) {
     using Tag = CGAL::Parallel_if_available_tag;
-    const auto& phi = *m_parameterizer->product_map();
+    const auto& phi = *m_attempt->parameterizer.product_map();
     VMP::Map_distance distance;
     const Status status = m_linear.is_valid() ? VMP::measure_map_distance<Tag>(phi, m_linear, distance)
                                               : VMP::measure_map_distance<Tag>(phi, images, distance);
@@ -244,7 +304,7 @@ private:
 
   // Fields of the mesh that is written, which may be finer than the one that they were computed on.
   Status result_fields(Result_fields& fields) const {
-    const Parameterizer& p = *m_parameterizer;
+    const Parameterizer& p = m_attempt->parameterizer;
     fields = {p.harmonic_function()->values(), p.vertex_images(), positions(), m_angles};
     if (!m_linear.is_valid()) return {};
     const auto locations = m_linear.locations(p.mesh());
@@ -257,7 +317,7 @@ private:
 
   std::vector<int> positions() const {
     std::vector<int> result(object().number_of_cells(), 0);
-    if (m_parameterizer->product_structure())
+    if (m_attempt->parameterizer.product_structure())
       for (std::size_t k = 0; k < order().size(); ++k) result[order()[k]] = int(k);
     return result;
   }
@@ -271,7 +331,7 @@ private:
 
   Status write_hexahedra(const VMP::Prism_3<Kernel>&) {
     VMP::Hexahedron_soup_3<Point_3> hexahedra;
-    const Status status = make_hexahedra(m_options.hexahedra, *m_parameterizer, m_linear, m_report, hexahedra);
+    const Status status = make_hexahedra(m_options.hexahedra, m_attempt->parameterizer, m_linear, m_report, hexahedra);
     if (status.ok()) return write_hexahedra_files(m_folder, hexahedra, m_options.hexahedra.formats);
     m_not_certified = status;
     return {};
@@ -279,8 +339,8 @@ private:
 
   // Steps 3 to 5 of the paper on the same mesh: how many interior vertices arrive at each base.
   void report_paper() {
-    const auto& mesh = m_parameterizer->mesh();
-    const VMP::Averaged_gradient_field_3<Mesh> field(mesh, m_parameterizer->harmonic_function()->values());
+    const auto& mesh = m_attempt->parameterizer.mesh();
+    const VMP::Averaged_gradient_field_3<Mesh> field(mesh, m_attempt->parameterizer.harmonic_function()->values());
     for (const auto& [name, base] :
          {std::pair<const char*, int>("floor", VMP::FLOOR), {"ceiling", VMP::CEILING}}) {
       const auto interior = field.arrivals(base), wall = field.arrivals_on_walls(base);
@@ -316,7 +376,8 @@ private:
   Result_folder m_folder;
   Stage_clock m_clock;
   Polycube m_polycube; // if one is given
-  std::optional<Parameterizer> m_parameterizer;
+  Partition_source m_partitions;
+  std::unique_ptr<Attempt> m_attempt; // the best
   VMP::Piecewise_linear_map_3<Kernel> m_linear;
   Status m_linear_status; // why there is no piecewise linear map
   Json m_report;

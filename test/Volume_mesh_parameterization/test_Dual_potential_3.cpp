@@ -2,6 +2,7 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
 #include <CGAL/Volume_mesh_parameterization/Dual_potential_3.h>
+#include <CGAL/Volume_mesh_parameterization/Harmonic_function_3.h>
 
 #include "test_util.h"
 
@@ -94,6 +95,24 @@ void test_invariance() {
   assert(expected == values(mesh_of(soup))); // to the bit
 }
 
+// Neighbors are in the same order as along the solution, but for those that are nearly equal.
+void test_approximation(const Mesh& mesh) {
+  VMP::Harmonic_function_3<Mesh> f(mesh);
+  Potential approximate(mesh);
+  assert(f.solve().ok() && approximate.approximate(f.values()).ok());
+  const std::vector<double> exact = values(mesh), &u = approximate.values();
+  assert(u.size() == exact.size() && largest_difference(u, exact) < .01);
+  assert(0 < approximate.residual() && approximate.residual() < .01);
+  for (VMP::Facet_index facet : mesh.facets()) {
+    if (mesh.is_boundary(facet)) continue;
+    const VMP::Cell_index a = mesh.half_facet(facet).cell, b = mesh.half_facet(facet, 1).cell;
+    assert(std::abs(exact[a] - exact[b]) < 1e-3 || (u[a] < u[b]) == (exact[a] < exact[b]));
+  }
+  const double residual = approximate.residual();
+  assert(approximate.approximate(std::vector<double>(mesh.number_of_vertices(), .5)).ok());
+  assert(approximate.residual() > 2 * residual); // it does not get there from afar
+}
+
 VMP::Error_code code_of(const Soup& soup) {
   const Mesh mesh = mesh_of(soup);
   return Potential(mesh).solve().code();
@@ -109,8 +128,9 @@ void test_refusals() {
   const Mesh mesh = mesh_of(good);
   assert((VMP::Dual_potential_3<Mesh, Failing_solver>(mesh).solve().code() == VMP::ERROR_CANNOT_SOLVE));
 
-  assert(code_of(transformed(good, [](const Point& p) { return Point(p.x(), p.y(), 0); })) ==
-         VMP::ERROR_FLAT_TETRAHEDRON);
+  const Mesh flat = mesh_of(transformed(good, [](const Point& p) { return Point(p.x(), p.y(), 0); }));
+  assert(Potential(flat).solve().code() == VMP::ERROR_FLAT_TETRAHEDRON);
+  assert(Potential(flat).approximate(std::vector<double>(flat.number_of_vertices(), 0)).code() == VMP::ERROR_FLAT_TETRAHEDRON);
   for (int base : {VMP::FLOOR, VMP::CEILING}) {
     Soup without = good;
     for (VMP::Labelled_facet& f : without.facets)
@@ -128,6 +148,7 @@ void test_refusals() {
 int main() {
   for (int holes : {0, 1, 2})
     test_monotone(mesh_of(jitter_interior(Block_with_holes<Point>(holes, 4, 4).soup(), 0.04, 7)));
+  test_approximation(mesh_of(jitter_interior(Block_with_holes<Point>(2, 8, 8).soup(), 0.02, 7)));
   test_column();
   test_invariance();
   test_refusals();

@@ -149,44 +149,40 @@ private:
     return status.ok() ? check_tetrahedral_mesh(m_mesh) : status;
   }
 
-  template <typename Field>
-  Status solve(std::optional<Field>& field) {
-    field.reset();
-    Field solved(m_mesh);
-    const Status status = solved.solve();
-    if (status.ok()) field.emplace(std::move(solved));
+  template <typename Field, typename Solve>
+  Status make(std::optional<Field>& field, const Solve& solve) {
+    const Status status = solve(field.emplace(m_mesh));
+    if (!status.ok()) field.reset();
     return status;
   }
 
   // Curves that are to be those of the flux itself are worth the smoother flux.
-  Status solve_for_gradient(Curve_type type) {
-    m_flux_field.reset();
-    Status status = solve(m_harmonic_function);
-    if (status.ok() && type == FLUX_CURVES)
-      status = solve(m_flux_field);
-    else if (status.ok())
-      m_flux_field.emplace(m_mesh).equilibrate(*m_harmonic_function);
-    return status;
+  Status make_flux(Curve_type type) {
+    return make(m_flux_field, [&](Flux_field& flux) {
+      if (type == FLUX_CURVES) return flux.solve();
+      flux.equilibrate(*m_harmonic_function);
+      return Status();
+    });
   }
 
   template <typename ConcurrencyTag>
-  Status solve_for_fields(Curve_type type) {
+  Status make_fields(Curve_type type) {
     using Tag = internal::Concurrency_for<ConcurrencyTag, typename GeomTraits::FT>;
-    // the potential takes most memory: in one thread it comes first
-    const auto solve_one = [&](std::size_t i) { return i == 0 ? solve(m_dual_potential) : solve_for_gradient(type); };
-    const Status status = internal::try_each_index<Tag>(2, solve_one, 1);
-    if (!m_dual_potential) { // as if one were solved for after the other
-      m_harmonic_function.reset();
-      m_flux_field.reset();
-    }
-    return status;
+    m_flux_field.reset();
+    m_dual_potential.reset();
+    const Status status = make(m_harmonic_function, [](Harmonic_function& f) { return f.solve(); });
+    if (!status.ok()) return status;
+    return internal::try_each_index<Tag>(2, [&](std::size_t i) {
+      if (i == 1) return make_flux(type);
+      return make(m_dual_potential, [&](Dual_potential& u) { return u.approximate(m_harmonic_function->values()); });
+    }, 1);
   }
 
   // The order is checked by code that shares nothing with the sweep.
   template <typename ConcurrencyTag>
   Status sweep_cells(Curve_type type) {
     const auto guide = [&](const Mesh& mesh, Sweep_guide_3& result) {
-      const Status status = solve_for_fields<ConcurrencyTag>(type);
+      const Status status = make_fields<ConcurrencyTag>(type);
       if (!status.ok()) return status;
       result = Sweep_guide_3(m_dual_potential->values());
       for (Cell_index c : mesh.cells()) result.signs.push_back(m_flux_field->signs(c));

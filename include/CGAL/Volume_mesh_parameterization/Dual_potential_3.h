@@ -14,6 +14,8 @@
 #include <CGAL/Volume_mesh_parameterization/Default_solver_traits_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Cell_gradients.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Dirichlet_problem.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Dual_matrix.h>
+#include <CGAL/Volume_mesh_parameterization/internal/solve_by_conjugate_gradients.h>
 
 #include <array>
 #include <cstddef>
@@ -58,6 +60,36 @@ public:
     return {};
   }
 
+  /*!
+  computes values that are locally as good: the means of a function over the cells, corrected by some steps of the method of
+  conjugate gradients. What is left of the error varies slowly. So cells that are near each other come in the right order,
+  which is what a sweep needs, in a fraction of the time and of the memory of `solve()`.
+
+  \param values of the function at the vertices, best of a `Harmonic_function_3` of the same mesh
+
+  \returns `ERROR_FLAT_TETRAHEDRON`
+
+  Complexity: linear.
+  */
+  Status approximate(const std::vector<double>& values) {
+    constexpr int steps = 40; // with 20, a sweep stopped here and there where it does not along the solution
+    constexpr double tolerance = 1e-10;
+    std::vector<double> volumes;
+    const Status status = internal::compute_volumes(*m_mesh, volumes);
+    if (!status.ok()) return status;
+    const internal::Dual_matrix matrix(*m_mesh, volumes);
+    Eigen::VectorXd means(matrix.size), correction;
+    for (Cell_index c : m_mesh->cells()) means[c] = mean_over_cell(c, values);
+    const auto precondition = [&](const Eigen::VectorXd& x) { return matrix.divide_by_diagonal(x); };
+    internal::solve_by_conjugate_gradients(matrix, precondition, matrix.residual(means), tolerance, steps, correction);
+    means += correction;
+    m_values.assign(means.begin(), means.end());
+    m_values.insert(m_values.end(), {0, 1}); // floor and ceiling
+    m_residual = internal::relative_residual(Network{*this, volumes, crossed_facets()}, label_nodes(), m_values);
+    m_values.resize(m_mesh->number_of_cells());
+    return {};
+  }
+
   /// returns the value in a cell.
   double operator()(Cell_index c) const { return m_values[c]; }
 
@@ -68,6 +100,12 @@ public:
   double residual() const { return m_residual; }
 
 private:
+  double mean_over_cell(Cell_index c, const std::vector<double>& values) const {
+    double sum = 0;
+    for (Vertex_index v : m_mesh->cell(c)) sum += values[v];
+    return sum / 4;
+  }
+
   std::size_t floor_node() const { return m_mesh->number_of_cells(); }
   std::size_t ceiling_node() const { return m_mesh->number_of_cells() + 1; }
 

@@ -54,6 +54,8 @@ struct Partition_options {
   Given_labels given_labels = IGNORE_LABELS; ///< what labels of the input are for
   /// no further direction is tried as soon as there are so many partitions, of which the best is taken
   std::size_t number_of_candidates = 4;
+  /// neither creases nor normals are tried: on solids that are no plates, loops may lead to less distortion
+  bool only_by_loops = false;
   /// the width of walls on smooth surfaces, as a share of the way from the middle of the floor to that of the ceiling
   double wall_width = .5;
   /// parts of a patch that lie apart and have less than this share of the area are flipped
@@ -255,7 +257,7 @@ private:
   template <typename Visitor>
   Status try_directions(Visitor& visitor) {
     const auto& directions = m_options.directions;
-    for (std::size_t k = 0; k < directions.size() && !is_enough(); ++k) {
+    for (std::size_t k = 0; k < directions.size() && !m_options.only_by_loops && !is_enough(); ++k) {
       if (!visitor.advance(k, directions.size())) return {ERROR_CANCELLED, "while partitioning"};
       try_direction(internal::normalized(directions[k]));
     }
@@ -282,7 +284,7 @@ private:
   template <typename Visitor>
   Status try_loops(Visitor& visitor) {
     const auto& directions = m_options.directions;
-    if (m_found.size() >= std::min(directions.size(), few)) return {};
+    if (!m_options.only_by_loops && m_found.size() >= std::min(directions.size(), few)) return {};
     for (std::size_t k = 0; k < directions.size() && !is_enough(); ++k) {
       if (!visitor.advance(k, directions.size())) return {ERROR_CANCELLED, "while searching for loops"};
       const Sweep_direction_3 d = internal::normalized(directions[k]);

@@ -35,6 +35,32 @@ template <typename Matrix>
 struct Wraps_eigen_matrix<Matrix, std::enable_if_t<std::is_same<typename Matrix::EigenType, Laplacian::Matrix>::value>>
     : std::true_type {};
 
+inline bool is_base(int label) { return label == FLOOR || label == CEILING; }
+
+// The norm of the residual divided by that of the sums of the sizes of the currents at each node but those of the bases. From
+// the conductances, not from the matrix: it checks the assembly too.
+template <typename Network>
+double relative_residual(const Network& network, const std::vector<int>& labels, const std::vector<double>& values) {
+  std::vector<double> currents(labels.size(), 0), sizes(labels.size(), 0);
+  for (std::size_t e = 0; e < network.number_of_elements(); ++e) {
+    const auto conductances = network.conductances(e);
+    for_each_pair(network, e, [&](int k, std::uint32_t i, std::uint32_t j) {
+      const double current = conductances[k] * (values[i] - values[j]);
+      currents[i] += current;
+      currents[j] -= current;
+      sizes[i] += std::abs(current);
+      sizes[j] += std::abs(current);
+    });
+  }
+  double squared_residual = 0, squared_size = 0;
+  for (std::size_t i = 0; i < labels.size(); ++i)
+    if (!is_base(labels[i])) {
+      squared_residual += currents[i] * currents[i];
+      squared_size += sizes[i] * sizes[i];
+    }
+  return squared_residual == 0 ? 0 : std::sqrt(squared_residual / squared_size);
+}
+
 // Laplace's equation on a weighted graph: floor nodes are held at 0, ceiling nodes at 1, and at every other node i
 // the sum over its edges of k_ij (x_i - x_j) vanishes. All fields are this problem, on the vertices, the facets or
 // the cells of the mesh. See `Laplacian` for what a network is.
@@ -59,7 +85,7 @@ public:
     if (status.ok()) status = check_connection(network);
     if (!status.ok()) return status;
     solve_for_unknowns(network);
-    m_residual = compute_residual(network);
+    m_residual = relative_residual(network, m_labels, m_values);
     if (m_residual <= largest_residual) return {};
     std::ostringstream message;
     message << "relative residual " << m_residual;
@@ -69,11 +95,11 @@ public:
   const std::vector<double>& values() const { return m_values; }
   std::vector<double> take_values() && { return std::move(m_values); }
 
-  // returns the norm of the residual divided by that of the sums of the sizes of the currents at each node.
+  // returns what `relative_residual()` says.
   double residual() const { return m_residual; }
 
 private:
-  bool is_fixed(std::size_t i) const { return m_labels[i] == FLOOR || m_labels[i] == CEILING; }
+  bool is_fixed(std::size_t i) const { return is_base(m_labels[i]); }
 
   Status check_bases() const {
     for (int base : {FLOOR, CEILING})
@@ -138,29 +164,6 @@ private:
         for (Laplacian::Matrix::InnerIterator entry(laplacian, j); entry; ++entry)
           matrix.add_coef(int(entry.row()), j, entry.value());
     return matrix;
-  }
-
-  // From the conductances, not from the matrix: it checks the assembly too.
-  template <typename Network>
-  double compute_residual(const Network& network) const {
-    std::vector<double> currents(m_labels.size(), 0), sizes(m_labels.size(), 0);
-    for (std::size_t e = 0; e < network.number_of_elements(); ++e) {
-      const auto conductances = network.conductances(e);
-      for_each_pair(network, e, [&](int k, std::uint32_t i, std::uint32_t j) {
-        const double current = conductances[k] * (m_values[i] - m_values[j]);
-        currents[i] += current;
-        currents[j] -= current;
-        sizes[i] += std::abs(current);
-        sizes[j] += std::abs(current);
-      });
-    }
-    double squared_residual = 0, squared_size = 0;
-    for (std::size_t i = 0; i < m_labels.size(); ++i)
-      if (!is_fixed(i)) {
-        squared_residual += currents[i] * currents[i];
-        squared_size += sizes[i] * sizes[i];
-      }
-    return squared_residual == 0 ? 0 : std::sqrt(squared_residual / squared_size);
   }
 
   std::string m_name;

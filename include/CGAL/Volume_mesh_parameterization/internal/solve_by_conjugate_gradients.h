@@ -10,8 +10,6 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
-#include <CGAL/Volume_mesh_parameterization/internal/Sparse_rows.h>
-
 #include <Eigen/Core>
 
 namespace CGAL {
@@ -19,9 +17,10 @@ namespace Volume_mesh_parameterization {
 namespace internal {
 
 // solves matrix * solution = right from 0 on (Hestenes and Stiefel 1952), until the norm of the residual that the method
-// itself keeps has fallen to `tolerance` times that of `right`. Returns whether it has.
-template <typename Preconditioner>
-bool solve_by_conjugate_gradients(const Sparse_rows_view& matrix, Preconditioner& precondition, const Eigen::VectorXd& right,
+// itself keeps has fallen to `tolerance` times that of `right`. Returns whether it has. A matrix has a size, and a function
+// times(i, x) that returns the product of its row i with a vector.
+template <typename Matrix, typename Preconditioner>
+bool solve_by_conjugate_gradients(const Matrix& matrix, Preconditioner& precondition, const Eigen::VectorXd& right,
                                   double tolerance, int maximal_number_of_iterations, Eigen::VectorXd& solution) {
   solution.setZero(right.size());
   Eigen::VectorXd residual = right, direction = precondition(residual), image(right.size());

@@ -1,0 +1,48 @@
+# Compiles tests in groups, each to one program that runs the test whose name it is given: what the tests instantiate in common,
+# most of the work, is compiled once.
+
+# The lines of a test that include something; the headers must be there before the test is put into a namespace.
+function(find_includes test result)
+  file(STRINGS "${test}.cpp" includes REGEX "^#include ")
+  foreach(line IN LISTS includes)
+    string(REPLACE "#include " "" header "${line}")
+    string(REGEX REPLACE " *//.*" "" header "${header}")
+    string(APPEND text "#if __has_include(${header})\n#include ${header}\n#endif\n") # some are there with some libraries only
+  endforeach()
+  set(${result} "${text}" PARENT_SCOPE)
+endfunction()
+
+function(add_group name)
+  set(includes "#undef NDEBUG\n#include <cstring>\n")
+  foreach(test IN LISTS ARGN)
+    find_includes(${test} of_test)
+    string(APPEND includes "${of_test}")
+    string(APPEND tests "namespace ${test} {\n#include \"${test}.cpp\"\n}\n")
+    string(APPEND choice "  if (!std::strcmp(argv[1], \"${test}\")) return ${test}::main();\n")
+  endforeach()
+  set(source "${CMAKE_CURRENT_BINARY_DIR}/${name}.cpp")
+  file(GENERATE OUTPUT "${source}" CONTENT
+    "${includes}${tests}int main(int argc, char** argv) {\n  if (argc != 2) return 2;\n${choice}  return 2;\n}\n")
+  add_executable(${name} "${source}")
+  target_include_directories(${name} PRIVATE "${CMAKE_CURRENT_SOURCE_DIR}")
+  foreach(test IN LISTS ARGN)
+    add_test(NAME ${test} COMMAND ${name} ${test} WORKING_DIRECTORY "${CMAKE_CURRENT_BINARY_DIR}")
+  endforeach()
+endfunction()
+
+function(group_tests size)
+  set(group "")
+  set(number 1)
+  foreach(test IN LISTS ARGN)
+    list(APPEND group ${test})
+    list(LENGTH group length)
+    if(length EQUAL size)
+      add_group(tests_${number} ${group})
+      set(group "")
+      math(EXPR number "${number} + 1")
+    endif()
+  endforeach()
+  if(group)
+    add_group(tests_${number} ${group})
+  endif()
+endfunction()
