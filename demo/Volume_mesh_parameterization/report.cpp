@@ -43,7 +43,10 @@ Json report_status(const VMP::Status& status) {
 
 Json report_stages(const Stage_clock& clock) {
   Json stages = Json::object();
-  for (const Stage_clock::Stage& s : clock.stages()) stages[s.name] = {{"seconds", s.seconds}, {"bytes", s.bytes}};
+  for (const Stage_clock::Stage& s : clock.stages()) {
+    const double before = stages.contains(s.name) ? stages[s.name]["seconds"].get<double>() : 0; // with another partition
+    stages[s.name] = {{"seconds", before + s.seconds}, {"bytes", s.bytes}};
+  }
   return stages;
 }
 

@@ -1,12 +1,12 @@
 # Compiles tests in groups, each to one program that runs the test whose name it is given: what the tests instantiate in common,
-# most of the work, is compiled once.
+# most of the work, is compiled once. A test must not open a namespace other than one without a name.
 
 # The lines of a test that include something; the headers must be there before the test is put into a namespace.
 function(find_includes test result)
-  file(STRINGS "${test}.cpp" includes REGEX "^#include ")
-  foreach(line IN LISTS includes)
-    string(REPLACE "#include " "" header "${line}")
-    string(REGEX REPLACE " *//.*" "" header "${header}")
+  set(text "")
+  file(STRINGS "${test}" lines REGEX "^#include ")
+  foreach(line IN LISTS lines)
+    string(REGEX REPLACE "^#include ([^ ]*).*" "\\1" header "${line}")
     string(APPEND text "#if __has_include(${header})\n#include ${header}\n#endif\n") # some are there with some libraries only
   endforeach()
   set(${result} "${text}" PARENT_SCOPE)
@@ -14,18 +14,26 @@ endfunction()
 
 function(add_group name)
   set(includes "#undef NDEBUG\n#include <cstring>\n")
-  foreach(test IN LISTS ARGN)
-    find_includes(${test} of_test)
+  set(namespaces "")
+  set(choice "")
+  foreach(source IN LISTS ARGN)
+    find_includes(${source} of_test)
     string(APPEND includes "${of_test}")
-    string(APPEND tests "namespace ${test} {\n#include \"${test}.cpp\"\n}\n")
+    get_filename_component(test ${source} NAME_WE)
+    string(APPEND namespaces "namespace ${test} {\n#include \"${source}\"\n}\n")
     string(APPEND choice "  if (!std::strcmp(argv[1], \"${test}\")) return ${test}::main();\n")
+    set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${source}")
   endforeach()
   set(source "${CMAKE_CURRENT_BINARY_DIR}/${name}.cpp")
-  file(GENERATE OUTPUT "${source}" CONTENT
-    "${includes}${tests}int main(int argc, char** argv) {\n  if (argc != 2) return 2;\n${choice}  return 2;\n}\n")
-  add_executable(${name} "${source}")
+  set(content "${includes}${namespaces}int main(int argc, char** argv) {\n  if (argc != 2) return 2;\n${choice}  return 2;\n}\n")
+  file(GENERATE OUTPUT "${source}" CONTENT "${content}") # leaves it as it is if nothing has changed
+  if(NOT EXISTS "${source}")
+    file(WRITE "${source}" "${content}") # which it must from the start
+  endif()
+  create_single_source_cgal_program("${source}" NO_TESTING)
   target_include_directories(${name} PRIVATE "${CMAKE_CURRENT_SOURCE_DIR}")
-  foreach(test IN LISTS ARGN)
+  foreach(source IN LISTS ARGN)
+    get_filename_component(test ${source} NAME_WE)
     add_test(NAME ${test} COMMAND ${name} ${test} WORKING_DIRECTORY "${CMAKE_CURRENT_BINARY_DIR}")
   endforeach()
 endfunction()

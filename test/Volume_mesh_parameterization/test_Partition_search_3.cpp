@@ -66,9 +66,10 @@ struct Impatient_visitor {
 };
 
 // All that is found is legal when it is applied, sorted, and measured as it is.
-void test_candidates(const Mesh& mesh, std::size_t at_least) {
+void test_candidates(const Mesh& mesh, std::size_t at_least, bool only_by_loops = false) {
   VMP::Partition_options options;
   options.number_of_candidates = 6;
+  options.only_by_loops = only_by_loops;
   Search search(mesh, options);
   expect(search.run(VMP::Default_parameterization_visitor()), VMP::OK);
   const auto& candidates = search.candidates();
@@ -85,6 +86,7 @@ void test_candidates(const Mesh& mesh, std::size_t at_least) {
     assert(i == 0 || candidates[i - 1].cost <= candidates[i].cost);
     assert(candidates[i].cost == VMP::cost(candidates[i].quality) && std::isfinite(candidates[i].cost));
     assert(summary.genus == candidates[i].partition.genus);
+    assert(!only_by_loops || candidates[i].method == VMP::BY_LOOPS);
     VMP::Partition_quality quality;
     expect(VMP::measure_partition(partitioned, candidates[i].direction, quality), VMP::OK);
     assert(std::abs(quality.floor_share - candidates[i].quality.floor_share) < 1e-9);
@@ -390,6 +392,7 @@ int main() {
   test_candidates(block, 2);
   test_candidates(unlabelled(Block_with_holes<Point>(2, 2, 3).soup()), 2);
   test_candidates(torus, 2);
+  test_candidates(torus, 1, true);
   test_none_twice(unlabelled(Block_with_holes<Point>(0, 2, 4).soup()));
   test_determinism(block);
   test_determinism(torus);

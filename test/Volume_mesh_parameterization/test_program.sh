@@ -222,6 +222,21 @@ test_good_block() {
   run 0 verify result
 }
 
+# The partition is found, and whether its boundary map is good is told.
+test_surface() {
+  cube >cube.off
+  "$program" parameterize cube.off -o cube >output 2>errors || {
+    grep -q TetGen errors && return
+    fail "a cube is not parameterized: $(cat errors)"
+  }
+  local name
+  for name in tried_partitions boundary_energy chosen_partition; do
+    has_key "$name" cube
+  done
+  [ "$(grep -c boundary_energy cube/report.json)" -eq 1 ] || fail "a good partition is not the only one that is tried"
+  [ -s cube/parameter.mesh ] || fail "there is no piecewise linear map of a cube"
+}
+
 # The table tells everything of a run that made a map.
 test_table() {
   command -v python3 >/dev/null && [ -f "$scripts/make_table.py" ] || return 0
@@ -416,6 +431,7 @@ test_bad_direction
 test_unwritable_folder
 test_own_input
 test_good_block
+test_surface
 test_table
 test_given_domain
 test_polycubes
