@@ -91,7 +91,7 @@ Status Partition_source::label(std::size_t candidate, Input& input) const {
 
 // One made in the same way, along nearly the same line.
 bool Partition_source::is_like_one_tried(const VMP::Partition_candidate_3& candidate) const {
-  constexpr double cosine_of_same = .9;
+  constexpr double cosine_of_same = .866; // 30 degrees
   const auto& d = candidate.direction;
   return std::any_of(m_tried.begin(), m_tried.end(), [&](const VMP::Partition_candidate_3& other) {
     const auto& e = other.direction;
