@@ -124,7 +124,7 @@ private:
       if (!status.ok()) break;
       const std::string prefix = k == 0 ? "" : "partition " + std::to_string(k + 1) + ": ";
       auto attempt = std::make_unique<Attempt>(std::move(input), *floor_map);
-      map(*attempt, Clock_visitor(m_clock, prefix));
+      map(*attempt, prefix);
       report_attempt(*attempt);
       status = attempt->status;
       if (!m_attempt || attempt->energy() < m_attempt->energy()) m_attempt = std::move(attempt);
@@ -143,12 +143,13 @@ private:
 
   bool is_linear_wanted() const { return m_options.field != Field::FLUX; }
 
-  void map(Attempt& attempt, const Clock_visitor& visitor) {
+  void map(Attempt& attempt, const std::string& prefix_of_stages) {
     using Tag = CGAL::Parallel_if_available_tag;
     const auto type = m_options.field == Field::FLUX ? VMP::FLUX_CURVES : VMP::CERTIFIED_CURVES;
+    const Clock_visitor visitor(m_clock, prefix_of_stages);
     attempt.status = attempt.parameterizer.template run<Tag>(attempt.input.mesh, VMP::parameters::curve_type(type).visitor(visitor));
     if (!attempt.status.ok() || !is_linear_wanted()) return;
-    m_clock.start("map the boundary");
+    m_clock.start(prefix_of_stages + "map the boundary");
     attempt.boundary_status = attempt.parameterizer.template map_boundary<Tag>(attempt.boundary);
   }
 
