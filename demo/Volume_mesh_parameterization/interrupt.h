@@ -2,6 +2,7 @@
 #define HANDLEBODY_INTERRUPT_H
 
 #include <csignal>
+#include <initializer_list>
 
 // Ctrl-C, and SIGTERM as `timeout` sends it, ask to stop at the next step; a second one stops at once. What a script ignores
 // in the background, as shells do with Ctrl-C, is ignored.
