@@ -131,6 +131,8 @@ void test_refusals() {
   const Mesh flat = mesh_of(transformed(good, [](const Point& p) { return Point(p.x(), p.y(), 0); }));
   assert(Potential(flat).solve().code() == VMP::ERROR_FLAT_TETRAHEDRON);
   assert(Potential(flat).approximate(std::vector<double>(flat.number_of_vertices(), 0)).code() == VMP::ERROR_FLAT_TETRAHEDRON);
+  const Mesh huge = mesh_of(transformed(good, [](const Point& p) { return Point(1e100 * p.x(), 1e100 * p.y(), 1e100 * p.z()); }));
+  assert(Potential(huge).approximate(std::vector<double>(huge.number_of_vertices(), .5)).code() == VMP::ERROR_CANNOT_SOLVE);
   for (int base : {VMP::FLOOR, VMP::CEILING}) {
     Soup without = good;
     for (VMP::Labelled_facet& f : without.facets)

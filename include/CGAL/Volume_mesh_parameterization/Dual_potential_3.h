@@ -18,6 +18,7 @@
 #include <CGAL/Volume_mesh_parameterization/internal/solve_by_conjugate_gradients.h>
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <utility>
@@ -67,7 +68,7 @@ public:
 
   \param values of the function at the vertices, best of a `Harmonic_function_3` of the same mesh
 
-  \returns `ERROR_FLAT_TETRAHEDRON`
+  \returns `ERROR_FLAT_TETRAHEDRON`; `ERROR_CANNOT_SOLVE` if coordinates are so large or small that a number overflows
 
   Complexity: linear.
   */
@@ -87,6 +88,7 @@ public:
     m_values.insert(m_values.end(), {0, 1}); // floor and ceiling
     m_residual = internal::relative_residual(Network{*this, volumes, crossed_facets()}, label_nodes(), m_values);
     m_values.resize(m_mesh->number_of_cells());
+    if (!std::isfinite(m_residual)) return {ERROR_CANNOT_SOLVE, "the dual graph has conductances beyond those of a double"};
     return {};
   }
 
