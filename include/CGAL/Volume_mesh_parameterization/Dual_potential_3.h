@@ -73,7 +73,7 @@ public:
   Complexity: linear.
   */
   Status approximate(const std::vector<double>& values) {
-    constexpr int steps = 60; // with 20, a sweep stopped here and there where it does not along the solution
+    constexpr int steps = 40; // with 20, a sweep stopped here and there where it does not along the solution
     constexpr double tolerance = 1e-10;
     std::vector<double> volumes;
     const Status status = internal::compute_volumes(*m_mesh, volumes);
