@@ -13,8 +13,8 @@
 #include <CGAL/Volume_mesh_parameterization/Piecewise_linear_map_3.h>
 #include <CGAL/Volume_mesh_parameterization/verify_map.h>
 
-#include <iostream>
 #include <cmath>
+#include <iostream>
 #include <limits>
 #include <memory>
 #include <optional>

@@ -26,10 +26,7 @@ function(add_group name)
   endforeach()
   set(source "${CMAKE_CURRENT_BINARY_DIR}/${name}.cpp")
   set(content "${includes}${namespaces}int main(int argc, char** argv) {\n  if (argc != 2) return 2;\n${choice}  return 2;\n}\n")
-  file(GENERATE OUTPUT "${source}" CONTENT "${content}") # leaves it as it is if nothing has changed
-  if(NOT EXISTS "${source}")
-    file(WRITE "${source}" "${content}") # which it must from the start
-  endif()
+  file(CONFIGURE OUTPUT "${source}" CONTENT "${content}" @ONLY) # leaves it as it is if nothing has changed
   create_single_source_cgal_program("${source}" NO_TESTING)
   target_include_directories(${name} PRIVATE "${CMAKE_CURRENT_SOURCE_DIR}")
   foreach(source IN LISTS ARGN)

@@ -33,8 +33,8 @@ namespace Volume_mesh_parameterization {
 is a harmonic function on the dual graph: one value per cell, weights area / (sum of the distances of the two
 centroids to the facet), 0 behind the floor, 1 behind the ceiling.
 
-As all weights are positive, every value lies between the values of its neighbors: no cell is a local extremum. It
-approximates the harmonic function only roughly, but it is the best guide of the sweep.
+As all weights are positive, every value of `solve()` lies between the values of its neighbors: no cell is a local extremum.
+It approximates the harmonic function only roughly, but it is the best guide of the sweep; `approximate()` guides as well.
 
 \tparam Mesh a `Compact_tetrahedral_mesh_3`; it must outlive the potential
 \tparam Solver a model of `SparseLinearAlgebraWithFactorTraits_d`
@@ -73,7 +73,7 @@ public:
   Complexity: linear.
   */
   Status approximate(const std::vector<double>& values) {
-    constexpr int steps = 40; // with 20, a sweep stopped here and there where it does not along the solution
+    constexpr int steps = 40; // as few sweeps stop as along the solution; with 20, some more
     constexpr double tolerance = 1e-10;
     std::vector<double> volumes;
     const Status status = internal::compute_volumes(*m_mesh, volumes);
