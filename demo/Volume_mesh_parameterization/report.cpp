@@ -168,7 +168,8 @@ Json report_untangling(const VMP::Untangling_report& report) {
           {"flipped_at_start", report.flipped_at_start},
           {"flipped_at_end", report.flipped_at_end},
           {"rounds", report.rounds},
-          {"bisected_edges_inside", report.bisected_edges},
+          {"split_simplices_inside", report.split_simplices},
+          {"refilled_balls", report.refilled_balls},
           {"newton_steps", report.work},
           {"relaxed_clusters", report.relaxed_clusters}};
 }

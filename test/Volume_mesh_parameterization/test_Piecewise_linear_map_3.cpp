@@ -53,7 +53,7 @@ public:
   void test_report() const {
     const VMP::Untangling_report& report = map.report();
     assert(report.flipped_at_end == 0);
-    if (report.flipped_at_start == 0) assert(report.bisected_edges == 0);
+    if (report.flipped_at_start == 0) assert(report.split_simplices == 0);
   }
 
   // The middle of an image comes from the middle of its cell; columns stand on the floor and end at the ceiling.

@@ -8,6 +8,7 @@
 
 #include "test_util.h"
 
+#include <algorithm>
 #include <cassert>
 #include <cstdlib>
 #include <iostream>
@@ -33,7 +34,7 @@ VMP::Status harmonic_guide(const Mesh& mesh, VMP::Sweep_guide_3& guide) {
   return status;
 }
 
-// A legal order stays legal whatever edges are bisected, also if it is not complete.
+// A legal order stays legal whatever edges, facets and cells are split, also if it is not complete.
 void test_lemma(int holes, unsigned seed) {
   std::mt19937 random(seed);
   Mesh mesh = prepared_block(holes, 2, 2);
@@ -49,9 +50,9 @@ void test_lemma(int holes, unsigned seed) {
 
   VMP::internal::Refinable_order<Kernel> refinable(mesh, order);
   for (int k = 0; k < 200; ++k) {
-    const auto& cell = refinable.mesh().cell(VMP::Cell_index(random() % refinable.mesh().number_of_cells()));
-    const int i = int(random() % 4), j = (i + 1 + int(random() % 3)) % 4;
-    status = refinable.bisect(cell[i], cell[j]);
+    auto cell = refinable.mesh().cell(VMP::Cell_index(random() % refinable.mesh().number_of_cells()));
+    std::shuffle(cell.begin(), cell.end(), random);
+    status = refinable.insert_barycentre({cell.begin(), cell.begin() + 2 + random() % 3});
     assert(status.ok());
   }
   status = std::move(refinable).write_to(mesh, order);

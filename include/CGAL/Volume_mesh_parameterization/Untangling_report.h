@@ -24,7 +24,8 @@ struct Untangling_report {
   std::size_t flipped_at_start = 0; ///< flipped or flat tetrahedra of the first map of the interior
   std::size_t flipped_at_end = 0;   ///< those that resisted
   std::size_t rounds = 0;           ///< passes over the clusters of flipped tetrahedra
-  std::size_t bisected_edges = 0;   ///< edges inside that were bisected where tetrahedra resisted
+  std::size_t split_simplices = 0;  ///< edges and facets inside that were split where tetrahedra resisted
+  std::size_t refilled_balls = 0;   ///< clusters of flipped tetrahedra whose surroundings were mapped anew
   double work = 0;                  ///< Newton steps of cells over the number of cells of the mesh
   std::size_t relaxed_clusters = 0; ///< clusters of badly distorted tetrahedra that were relaxed
   bool starts_along_curves =

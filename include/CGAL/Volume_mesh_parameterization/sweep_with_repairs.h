@@ -152,7 +152,7 @@ private:
     ++m_report.refinements;
     Refinable_order<GeomTraits> refinable(m_mesh, order);
     for (const auto& edge : edges_of_cells_left(order)) {
-      const Status status = refinable.bisect(edge[0], edge[1]);
+      const Status status = refinable.insert_barycentre({edge[0], edge[1]});
       if (!status.ok() && status.code() != ERROR_CANNOT_SPLIT) return status;
       m_report.bisected_edges += status.ok();
     }

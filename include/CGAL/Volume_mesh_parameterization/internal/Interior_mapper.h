@@ -73,13 +73,33 @@ public:
 
   // The midpoint is fixed if the edge is on the boundary.
   Status bisect(Vertex_index a, Vertex_index b) {
-    const bool on_boundary = is_boundary_edge(a, b);
-    const Status status = m_refinable.bisect(a, b);
-    if (!status.ok()) return status;
-    m_points.push_back((m_points[a] + m_points[b]) / 2);
-    m_images.push_back((m_images[a] + m_images[b]) / 2);
-    m_freedoms.push_back(on_boundary ? Foldover_free_energy::fixed : Foldover_free_energy::free);
-    return status;
+    return insert_barycentre({a, b}, is_boundary_edge(a, b) ? Foldover_free_energy::fixed : Foldover_free_energy::free);
+  }
+  // Of an edge, a facet or a cell that is not on the boundary.
+  Status insert_inside(const std::vector<Vertex_index>& simplex) {
+    return insert_barycentre(simplex, Foldover_free_energy::free);
+  }
+
+  static Position mean(const std::vector<Position>& positions, const std::vector<Vertex_index>& simplex) {
+    Position sum = Position::Zero();
+    for (Vertex_index v : simplex) sum += positions[v];
+    return sum / double(simplex.size());
+  }
+
+  static Orientation orientation(const std::array<Position, 4>& p) {
+    using Kernel = Exact_predicates_inexact_constructions_kernel;
+    const auto at = [&](int i) { return Kernel::Point_3(p[i][0], p[i][1], p[i][2]); };
+    return CGAL::orientation(at(0), at(1), at(2), at(3));
+  }
+
+  std::array<Position, 4> images(Cell_index c) const {
+    const auto& v = mesh().cell(c);
+    return {m_images[v[0]], m_images[v[1]], m_images[v[2]], m_images[v[3]]};
+  }
+
+  Position middle(Cell_index c) const {
+    const auto& v = mesh().cell(c);
+    return mean(m_images, {v.begin(), v.end()});
   }
 
   // Cells whose image is flipped or flat, by exact signs.
@@ -90,14 +110,7 @@ public:
     return flipped;
   }
 
-  bool is_positive(Cell_index c) const {
-    using Kernel = Exact_predicates_inexact_constructions_kernel;
-    const auto& v = mesh().cell(c);
-    const auto at = [&](int i) {
-      return Kernel::Point_3(m_images[v[i]][0], m_images[v[i]][1], m_images[v[i]][2]);
-    };
-    return CGAL::orientation(at(0), at(1), at(2), at(3)) == POSITIVE;
-  }
+  bool is_positive(Cell_index c) const { return orientation(images(c)) == POSITIVE; }
 
   // Moves the vertices inside to where the harmonic map takes them.
   Status start_harmonically() {
@@ -215,6 +228,15 @@ public:
 
 private:
   static constexpr double first_epsilon = 0.3; // of the foldover-free energy
+
+  Status insert_barycentre(const std::vector<Vertex_index>& simplex, Freedom freedom) {
+    const Status status = m_refinable.insert_barycentre(simplex);
+    if (!status.ok()) return status;
+    m_points.push_back(mean(m_points, simplex));
+    m_images.push_back(mean(m_images, simplex));
+    m_freedoms.push_back(freedom);
+    return status;
+  }
 
   void hold_facet(Cell_index c, int i) {
     const int label = mesh().labels(c)[i];

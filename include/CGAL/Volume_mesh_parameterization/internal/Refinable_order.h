@@ -22,11 +22,12 @@ namespace Volume_mesh_parameterization {
 namespace internal {
 
 /*
-The beginning of a sweep from the floor, of a mesh whose edges may be bisected.
+The beginning of a sweep from the floor, of a mesh whose edges, facets and cells may be split at their barycentres.
 
-Lemma: let s_x = +1, 0, -1 if the facet opposite to x is an entry, a wall or an exit facet of a swept cell with the edge
-ab. If the half at b takes the place of the cell just before the half at a if s_a > s_b, and just after it otherwise,
-then the longer order obeys the rules of the sweep as the shorter one did.
+Lemma: let s_x = +1, 0, -1 if the facet opposite to x is an entry, a wall or an exit facet of a swept cell. Splitting a simplex of
+it makes one child for each vertex x of the simplex, in which the barycentre is in the place of x. If they take the place of the
+cell in an order of falling s_x, then the longer order obeys the rules of the sweep as the shorter one did: the first child is
+entered somewhere and the last one left, as the cell was.
 */
 template <typename GeomTraits>
 class Refinable_order {
@@ -45,19 +46,16 @@ public:
     }
   }
 
-  Status bisect(Vertex_index a, Vertex_index b) {
-    // the first child, in which a is moved, is the half at b and keeps the number of the parent
-    Signs parent_signs{};
-    int slot_a = 0, slot_b = 0;
-    return m_mesh.insert_barycentre({a, b}, [&](Cell_index parent, Cell_index child, Vertex_index moved) {
-      if (moved == a) {
-        parent_signs = m_signs[parent];
-        slot_a = slot_of_last_vertex(child);
-        slot_b = slot(child, b);
-        return;
-      }
-      add_child(child);
-      if (m_is_swept[parent]) order_halves(child, parent, parent_signs, slot_a, slot_b);
+  // Inserts the barycentre of the simplex with the given 2, 3 or 4 vertices.
+  Status insert_barycentre(const std::vector<Vertex_index>& simplex) {
+    std::vector<Child> children; // of one parent
+    return m_mesh.insert_barycentre(simplex, [&](Cell_index parent, Cell_index child, Vertex_index) {
+      if (child == parent)
+        children.clear();
+      else
+        add_child(parent, child);
+      children.push_back({child, slot_of_last_vertex(child)});
+      if (children.size() == simplex.size() && m_is_swept[parent]) order_children(parent, children);
     });
   }
 
@@ -73,6 +71,11 @@ public:
 private:
   using Signs = std::array<std::int8_t, 4>;
 
+  struct Child {
+    Cell_index cell;
+    int slot; // of the inserted vertex
+  };
+
   // Called while the cells are appended: later neighbours are not swept yet.
   std::int8_t sign_of(const Mesh& mesh, Half_facet h) const {
     const int label = mesh.label(h.cell, h.index);
@@ -80,51 +83,43 @@ private:
     return m_is_swept[mesh.neighbor(h.cell, h.index)] ? 1 : -1;
   }
 
-  int slot(Cell_index c, Vertex_index v) const {
-    const auto& cell = m_mesh.cell(c);
-    return int(std::find(cell.begin(), cell.end(), v) - cell.begin());
-  }
   // The inserted vertex has the greatest number.
   int slot_of_last_vertex(Cell_index c) const {
     const auto& cell = m_mesh.cell(c);
     return int(std::max_element(cell.begin(), cell.end()) - cell.begin());
   }
 
-  void add_child(Cell_index child) {
+  void add_child(Cell_index parent, Cell_index child) {
     CGAL_assertion(child == m_next.size());
-    m_signs.push_back({0, 0, 0, 0});
+    m_signs.push_back(m_signs[parent]);
     m_next.emplace_back();
     m_previous.emplace_back();
-    m_is_swept.push_back(0);
+    m_is_swept.push_back(m_is_swept[parent]);
     static_cast<void>(child);
   }
 
-  void order_halves(Cell_index half_a, Cell_index half_b, const Signs& parent, int slot_a, int slot_b) {
-    const bool b_first = parent[slot_a] > parent[slot_b];
-    m_signs[half_a] = m_signs[half_b] = parent;
-    m_signs[half_a][slot_a] = b_first ? 1 : -1; // the facet between the halves
-    m_signs[half_b][slot_b] = b_first ? -1 : 1;
-    m_is_swept[half_a] = 1;
-    if (b_first)
-      insert_after(half_b, half_a);
-    else
-      insert_before(half_b, half_a);
+  // The facet opposite to x of the child without x is that of the parent.
+  void order_children(Cell_index parent, std::vector<Child>& children) {
+    const Signs outer = m_signs[parent];
+    std::sort(children.begin(), children.end(), [&](const Child& a, const Child& b) {
+      return outer[a.slot] != outer[b.slot] ? outer[a.slot] > outer[b.slot] : a.cell > b.cell;
+    });
+    for (std::size_t i = 0; i < children.size(); ++i)
+      for (std::size_t j = 0; j < children.size(); ++j)
+        if (i != j) m_signs[children[i].cell][children[j].slot] = j < i ? 1 : -1;
+    Cell_index before = m_previous[parent];
+    const Cell_index after = m_next[parent];
+    for (const Child& child : children) {
+      link(before, child.cell);
+      before = child.cell;
+    }
+    link(before, after);
   }
 
   void append(Cell_index c) {
     m_is_swept[c] = 1;
-    if (m_last.is_valid())
-      insert_after(m_last, c);
-    else
-      m_first = m_last = c;
-  }
-  void insert_after(Cell_index place, Cell_index c) {
-    link(c, m_next[place]);
-    link(place, c);
-  }
-  void insert_before(Cell_index place, Cell_index c) {
-    link(m_previous[place], c);
-    link(c, place);
+    link(m_last, c);
+    m_last = c;
   }
   void link(Cell_index before, Cell_index after) {
     if (before.is_valid())

@@ -75,6 +75,29 @@ public:
   // The cells around a vertex.
   const std::vector<Cell_index>& star(Vertex_index v) const { return m_stars[v]; }
 
+  // Where a vertex is among those of a cell; 4 if it is none of them.
+  static int slot(const Cell_vertices& cell, Vertex_index v) {
+    return int(std::find(cell.begin(), cell.end(), v) - cell.begin());
+  }
+
+  // The cells that have all vertices of a simplex.
+  std::vector<Cell_index> cells_around(const std::vector<Vertex_index>& simplex) const {
+    std::vector<Cell_index> result;
+    for (Cell_index c : m_stars[simplex[0]])
+      if (std::all_of(simplex.begin(), simplex.end(),
+                      [&](Vertex_index v) { return slot(m_cells[c], v) < 4; }))
+        result.push_back(c);
+    return result;
+  }
+
+  // The cell on the other side of the facet opposite to vertex i; invalid on the boundary.
+  Cell_index neighbor(Cell_index c, int i) const {
+    if (m_labels[c][i] != INTERIOR) return {};
+    const Cell_vertices& v = m_cells[c];
+    const std::vector<Cell_index> cells = cells_around({v[(i + 1) % 4], v[(i + 2) % 4], v[(i + 3) % 4]});
+    return cells[0] == c ? cells[1] : cells[0];
+  }
+
   /*
   Inserts the barycentre of the simplex with the given 2, 3 or 4 vertices. Every cell around it is replaced by one
   cell for each vertex v of the simplex, with v moved to the barycentre; `on_child(parent, child, v)` tells of it,
@@ -116,19 +139,6 @@ private:
     m_stars.emplace_back();
     for (Cell_index c : star) split(c, simplex, m, on_child);
     return {};
-  }
-
-  static int slot(const Cell_vertices& cell, Vertex_index v) {
-    return int(std::find(cell.begin(), cell.end(), v) - cell.begin());
-  }
-
-  std::vector<Cell_index> cells_around(const std::vector<Vertex_index>& simplex) const {
-    std::vector<Cell_index> result;
-    for (Cell_index c : m_stars[simplex[0]])
-      if (std::all_of(simplex.begin(), simplex.end(),
-                      [&](Vertex_index v) { return slot(m_cells[c], v) < 4; }))
-        result.push_back(c);
-    return result;
   }
 
   bool is_positive_with(Cell_index c, Vertex_index moved, const Point_3& p) const {

@@ -11,7 +11,9 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/Untangling_report.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Ball_refiller.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Interior_mapper.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Star_shaped_ball.h>
 #include <CGAL/Volume_mesh_parameterization/internal/geometric_order.h>
 
 #include <algorithm>
@@ -25,8 +27,9 @@ namespace Volume_mesh_parameterization {
 namespace internal {
 
 /*
-Untangles cluster by cluster: only the vertices in some rings of cells around flipped ones move. Where that does not help,
-the edges of the flipped cells are bisected, which gives new freedom.
+Untangles cluster by cluster: only the vertices in some rings of cells around flipped ones move. Where that does not help, a ball
+around the cluster is filled anew; where there is none whose image is star-shaped, the edges of the flipped cells are bisected,
+which gives new freedom.
 */
 template <typename GeomTraits, typename Visitor>
 class Untangler {
@@ -49,7 +52,7 @@ public:
     Status status = untangle(flipped);
     if (status.ok()) status = refine_and_untangle(flipped);
     m_report.flipped_at_end = flipped.size();
-    m_report.bisected_edges = m_mapper.images().size() - vertices;
+    m_report.split_simplices = m_mapper.images().size() - vertices;
     m_report.work = work() / double(cells);
     if (!status.ok() || flipped.empty()) return status;
     return {ERROR_MAP_NOT_BIJECTIVE,
@@ -89,9 +92,23 @@ private:
     Status status;
     for (int rings : {2, 4}) {
       if (status.ok()) status = untangle_clusters(flipped, rings);
+      if (status.ok()) status = refill(m_mapper.find_flipped());
       flipped = m_mapper.find_flipped();
     }
     return status;
+  }
+
+  Status refill(const Cells& flipped) {
+    constexpr std::size_t most_cells = 2000;
+    Star_shaped_ball<GeomTraits> ball(m_mapper);
+    const std::vector<Cells> parts = clusters(flipped);
+    for (std::size_t k = 0; k < parts.size(); ++k) {
+      if (!m_visitor.advance(k, parts.size())) return {ERROR_CANCELLED, "untangling"};
+      if (m_mapper.count_flipped(parts[k]) == 0) continue; // with a neighbour
+      if (!ball.grow_around(parts[k], m_mapper.neighborhood(parts[k], 1), most_cells)) continue;
+      m_report.refilled_balls += Ball_refiller<GeomTraits>(m_mapper, ball).run();
+    }
+    return {};
   }
 
   // The number of flips often grows before it falls: after a few rounds without gain only, another refinement is tried, from the
