@@ -28,7 +28,8 @@ struct Block {
   // length x 1 x 1
   explicit Block(int per_unit, int length = 1) {
     VMP::Preparation counts;
-    VMP::Status status = mesh.assign(Block_with_holes<Kernel::Point_3>({0, 0, length, 1}, {}, per_unit, per_unit).soup());
+    VMP::Status status =
+        mesh.assign(Block_with_holes<Kernel::Point_3>({0, 0, length, 1}, {}, per_unit, per_unit).soup());
     if (status.ok()) status = VMP::prepare_patches(mesh, counts);
     assert(status.ok());
     VMP::Dual_potential_3<Mesh> dual(mesh);

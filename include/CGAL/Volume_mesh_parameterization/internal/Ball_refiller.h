@@ -28,9 +28,9 @@ namespace internal {
 /*
 Fills the image of a ball, which is star-shaped, with the images of its cells, all positive.
 
-The cells are placed one by one, from the boundary of the ball inwards, so that what is left is a ball. The image is triangulated at
-all times: by the cells that are placed, and by cones from the centre over the front, the boundary of what is left. To place a cell
-is a bistellar flip of this triangulation:
+The cells are placed one by one, from the boundary of the ball inwards, so that what is left is a ball. The image is
+triangulated at all times: by the cells that are placed, and by cones from the centre over the front, the boundary of what is
+left. To place a cell is a bistellar flip of this triangulation:
   - with one facet on the front, it puts its fourth vertex into the cone over this facet: always possible;
   - with two, it replaces two cones by three tetrahedra: possible if the new edge passes behind the common one, as the centre sees
     it. If not, the new edge is bisected: its midpoint can be put there;
@@ -75,8 +75,8 @@ public:
         undo();
         return false;
       }
-      m_left.erase(std::remove_if(m_left.begin(), m_left.end(), [this](Cell_index c) { return m_states[c] != LEFT; }),
-                   m_left.end());
+      const auto is_placed = [this](Cell_index c) { return m_states[c] == PLACED; };
+      m_left.erase(std::remove_if(m_left.begin(), m_left.end(), is_placed), m_left.end());
       if (step % sweep_period == 0) relax(m_inside);
     }
     for (int sweep = 0; sweep < last_sweeps; ++sweep) relax(m_inside);
@@ -124,12 +124,19 @@ private:
 
   bool make(Move move, Cell_index c) {
     switch (move) {
-    case PLACE: place(c); return true;
-    case PUT_VERTEX: return put_fourth_vertex(c);
-    case SPLIT_FACET: return split_facet(c);
-    case SPLIT_EDGE: return split_edge(c);
-    case FREE: return free(c);
-    default: return false;
+    case PLACE:
+      place(c);
+      return true;
+    case PUT_VERTEX:
+      return put_fourth_vertex(c);
+    case SPLIT_FACET:
+      return split_facet(c);
+    case SPLIT_EDGE:
+      return split_edge(c);
+    case FREE:
+      return free(c);
+    default:
+      return false;
     }
   }
 
@@ -248,8 +255,9 @@ private:
         if (has_place(v[i]) && has_place(v[j]) && !is_front_edge(v[i], v[j])) return insert({v[j], v[i]});
     for (int i = 0; i < 4; ++i) {
       const std::vector<Vertex_index> joining = facet(c, i);
-      if (!m_front[c][i] && std::all_of(joining.begin(), joining.end(), [this](Vertex_index w) { return has_place(w); }))
-        return insert(joining);
+      const bool is_joining =
+          std::all_of(joining.begin(), joining.end(), [this](Vertex_index w) { return has_place(w); });
+      if (!m_front[c][i] && is_joining) return insert(joining);
     }
     return false;
   }
@@ -381,7 +389,8 @@ private:
   // Where there is room in a star of positive tetrahedra, and where wishes that are not fulfilled come closer to it.
   static Position moved(const Position& start, const Corners& star, const Corners& wishes) {
     constexpr int steps = 3;
-    constexpr double weight = 10, flat = 1e-3; // of a wish, against that of a tetrahedron; as a share of an edge
+    constexpr double weight = 10,
+                     flat = 1e-3; // of a wish, against that of a tetrahedron; as a share of an edge
     std::vector<Half_space<3>> half_spaces;
     for (const Corner& corner : star) half_spaces.push_back(corner.half_space());
     Position direction = Position::Zero(), result = start;
@@ -394,7 +403,8 @@ private:
         direction += weight * h.slope / (std::max)(depth, flat * edge * h.slope.norm());
     }
     climb_barrier<3>(half_spaces, direction, steps, result);
-    const bool is_fine = std::all_of(star.begin(), star.end(), [&](const Corner& c) { return c.is_positive_at(result); });
+    const bool is_fine =
+        std::all_of(star.begin(), star.end(), [&](const Corner& c) { return c.is_positive_at(result); });
     return is_fine ? result : start;
   }
 
@@ -406,7 +416,7 @@ private:
   std::vector<Vertex_place> m_places; // of the vertices
   std::vector<Vertex_index> m_inside; // the movable ones
   std::size_t m_most_cells;
-  std::vector<Position> m_before;                     // of the vertices, at first
+  std::vector<Position> m_before;                    // of the vertices, at first
   std::vector<std::vector<Vertex_index>> m_inserted; // the simplices that have been split
 };
 

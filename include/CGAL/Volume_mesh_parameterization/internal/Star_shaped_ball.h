@@ -25,8 +25,8 @@ namespace Volume_mesh_parameterization {
 namespace internal {
 
 /*
-A ball of cells around flipped ones whose boundary is mapped one to one onto a surface that a point, the centre, sees all of. What
-is flipped inside does not matter: the image of the ball can be filled anew.
+A ball of cells around flipped ones whose boundary is mapped one to one onto a surface that a point, the centre, sees all of.
+What is flipped inside does not matter: the image of the ball can be filled anew.
 
 The boundary is a sphere, the centre is on the inner side of each of its triangles, and one ray from there meets one triangle only:
 so the projection from the centre is a covering of a sphere, of degree one.
@@ -40,8 +40,8 @@ public:
 
   explicit Star_shaped_ball(const Mapper& mapper) : m_mapper(mapper) {}
 
-  // The smallest ball around flipped cells that is seen whole from the middle of one of them or of their neighbors, of some of them
-  // if there are many; returns whether there is one of at most that many cells.
+  // The smallest ball around flipped cells that is seen whole from the middle of one of them or of their neighbors, of some of
+  // them if there are many; returns whether there is one of at most that many cells.
   bool grow_around(const Cells& flipped, const Cells& flipped_and_neighbors, std::size_t most_cells) {
     m_is_in.resize(m_mapper.mesh().number_of_cells(), 0);
     Position best = Position::Zero();
@@ -61,7 +61,7 @@ public:
   const Position& centre() const { return m_centre; }
 
 private:
-  static constexpr std::size_t most_candidates = 200;
+  static constexpr std::size_t most_candidates = 100;
 
   // Of a cell of the ball.
   struct Facet {
@@ -77,21 +77,32 @@ private:
     m_cells.clear();
     m_centre = centre;
     for (Cell_index c : flipped) add(c);
-    for (std::size_t before = 0; before < m_cells.size() && m_cells.size() <= most_cells;) {
-      before = m_cells.size();
+    for (std::size_t first = 0; first < m_cells.size();) {
+      for (; first < m_cells.size(); ++first)
+        if (m_cells.size() > most_cells || !add_behind_hidden_facets(m_cells[first])) return false;
       find_facets();
-      add_behind_hidden_facets();
-      if (before == m_cells.size()) add_around_pinched_vertices();
-      if (before == m_cells.size()) return is_seen_whole() && is_sphere() && has_degree_one();
+      add_around_pinched_vertices();
     }
-    return false;
+    return is_sphere() && has_degree_one();
+  }
+
+  // Returns false where there is nothing behind.
+  bool add_behind_hidden_facets(Cell_index c) {
+    for (int i = 0; i < 4; ++i) {
+      if (is_seen({c, i})) continue;
+      const Cell_index neighbor = mesh().neighbor(c, i);
+      if (!neighbor.is_valid()) return false;
+      add(neighbor);
+    }
+    return true;
   }
 
   // To where it sees all well.
   bool move_centre() {
     constexpr int steps = 20;
     std::vector<Half_space<3>> half_spaces;
-    for (const Facet& f : m_facets) half_spaces.push_back(half_space_inside(m_mapper.images(f.cell), f.index));
+    for (const Facet& f : m_facets)
+      half_spaces.push_back(half_space_inside(m_mapper.images(f.cell), f.index));
     const Position before = m_centre;
     climb_barrier<3>(half_spaces, Position::Zero(), steps, m_centre);
     if (!is_seen_whole()) m_centre = before;
@@ -130,13 +141,6 @@ private:
     return std::all_of(m_facets.begin(), m_facets.end(), [this](const Facet& f) { return is_seen(f); });
   }
 
-  void add_behind_hidden_facets() {
-    for (const Facet& f : m_facets) {
-      const Cell_index neighbor = mesh().neighbor(f.cell, f.index);
-      if (neighbor.is_valid() && !is_seen(f)) add(neighbor);
-    }
-  }
-
   // A vertex, and the edge opposite to it of a triangle.
   using Link_edge = std::array<Vertex_index, 3>;
 
@@ -161,7 +165,8 @@ private:
       return std::find_if(begin, end, [&](const Link_edge& e) { return e[1] == v; });
     };
     std::ptrdiff_t length = 1;
-    for (Iterator e = next((*begin)[2]); e != begin && e != end && length <= end - begin; e = next((*e)[2])) ++length;
+    for (Iterator e = next((*begin)[2]); e != begin && e != end && length <= end - begin; e = next((*e)[2]))
+      ++length;
     return length == end - begin;
   }
 
@@ -179,7 +184,8 @@ private:
   bool has_degree_one() const {
     Position target = Position::Zero(); // in the first triangle
     for (Vertex_index v : vertices(m_facets[0])) target += m_mapper.images()[v] / 3;
-    return std::none_of(m_facets.begin() + 1, m_facets.end(), [&](const Facet& f) { return covers(f, target); });
+    return std::none_of(m_facets.begin() + 1, m_facets.end(),
+                        [&](const Facet& f) { return covers(f, target); });
   }
 
   // Whether the ray from the centre through a point meets a facet.

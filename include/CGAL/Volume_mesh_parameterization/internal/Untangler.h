@@ -99,7 +99,7 @@ private:
   }
 
   Status refill(const Cells& flipped) {
-    constexpr std::size_t most_cells = 2000;
+    constexpr std::size_t most_cells = 1000;
     Star_shaped_ball<GeomTraits> ball(m_mapper);
     const std::vector<Cells> parts = clusters(flipped);
     for (std::size_t k = 0; k < parts.size(); ++k) {

@@ -34,15 +34,16 @@ struct Half_space {
 
 // Where vertex i of a positive tetrahedron may be.
 inline Half_space<3> half_space_inside(const std::array<Eigen::Vector3d, 4>& tetrahedron, int i) {
-  const Eigen::Vector3d &a = tetrahedron[(i + 1) % 4], &b = tetrahedron[(i + 2) % 4], &c = tetrahedron[(i + 3) % 4];
+  const Eigen::Vector3d &a = tetrahedron[(i + 1) % 4], &b = tetrahedron[(i + 2) % 4],
+                        &c = tetrahedron[(i + 3) % 4];
   const Eigen::Vector3d normal = (b - a).cross(c - a) * (i % 2 == 0 ? -1 : 1);
   return {normal, -normal.dot(a)};
 }
 
 /*
-Moves a point, where all heights are positive, up the function direction . x + sum log(height), by damped Newton steps, which never
-leave the half spaces (S. Boyd, L. Vandenberghe, Convex Optimization, 2004, 9.6.4). Without a direction the top is the analytic
-centre: stretching space moves it along.
+Moves a point, where all heights are positive, up the function direction . x + sum log(height), by damped Newton steps,
+which never leave the half spaces (S. Boyd, L. Vandenberghe, Convex Optimization, 2004, 9.6.4). Without a direction the top
+is the analytic centre: stretching space moves it along.
 */
 template <int Dimension>
 void climb_barrier(const std::vector<Half_space<Dimension>>& half_spaces,
