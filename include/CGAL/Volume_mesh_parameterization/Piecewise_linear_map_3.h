@@ -47,8 +47,9 @@ public:
 
   The boundary is mapped as given; if it may slide, vertices inside of the walls and of the ceiling move in their planes where
   tetrahedra resist. The interior starts from the better of two maps, the harmonic one and that along curves, and is untangled
-  cluster by cluster with the energy of V. Garanzha et al., *Foldover-free maps in 50 lines of code*, 2021. Edges of
-  tetrahedra that resist are bisected. Then what is badly distorted is relaxed.
+  cluster by cluster with the energy of V. Garanzha et al., *Foldover-free maps in 50 lines of code*, 2021. Where tetrahedra
+  resist, a ball around them is mapped anew, cell by cell from its boundary inwards, if its image is star-shaped; else their
+  edges are bisected. Then what is badly distorted is relaxed.
 
   \param mesh a solid with a product structure
   \param order the order in which its cells are swept
