@@ -18,6 +18,7 @@
 #include <bitset>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -66,7 +67,7 @@ public:
       }
   }
 
-  // Returns whether all cells are positive now. If not, the images are as before, but some simplices may have been split.
+  // Returns whether all cells are positive now. If not, all is as before.
   bool run() {
     constexpr std::size_t sweep_period = 8;
     constexpr int last_sweeps = 10;
@@ -269,11 +270,11 @@ private:
       for (int i = 0; i < 4; ++i)
         if (m_front[c][i]) on_front.push_back(sorted(facet(c, i)));
     const std::size_t before = mesh().number_of_cells();
+    if (!m_unsplit) m_unsplit = m_mapper;
     if (!m_mapper.insert_inside(simplex).ok()) return false;
     m_states.resize(mesh().number_of_cells(), LEFT);
     m_front.resize(mesh().number_of_cells());
     m_places.push_back(NONE);
-    m_inserted.push_back(simplex);
     for (std::size_t c = before; c < mesh().number_of_cells(); ++c) m_left.emplace_back(c);
     const Vertex_index m(m_mapper.images().size() - 1);
     for (Cell_index c : mesh().star(m)) {
@@ -290,10 +291,9 @@ private:
   }
 
   void undo() {
+    if (m_unsplit) m_mapper = std::move(*m_unsplit);
     for (Vertex_index v : m_inside)
       if (v < m_before.size()) m_mapper.set_image(v, m_before[v]);
-    for (std::size_t k = 0; k < m_inserted.size(); ++k)
-      m_mapper.set_image(m_before.size() + k, Mapper::mean(m_mapper.images(), m_inserted[k]));
   }
 
   // A tetrahedron that is to be positive, with a corner that may move.
@@ -416,8 +416,8 @@ private:
   std::vector<Vertex_place> m_places; // of the vertices
   std::vector<Vertex_index> m_inside; // the movable ones
   std::size_t m_most_cells;
-  std::vector<Position> m_before;                    // of the vertices, at first
-  std::vector<std::vector<Vertex_index>> m_inserted; // the simplices that have been split
+  std::vector<Position> m_before;  // of the vertices, at first
+  std::optional<Mapper> m_unsplit; // before the first split
 };
 
 } // namespace internal
