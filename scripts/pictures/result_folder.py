@@ -127,7 +127,7 @@ MEDIT_COLUMNS = {"Vertices": 4, "Edges": 3, "Triangles": 4, "Quadrilaterals": 5,
 
 def read_medit(path, names):
     """returns the named sections of an ASCII MEDIT file as arrays with a row for each element"""
-    words = " ".join(line.partition("#")[0] for line in path.read_text().splitlines()).split()
+    words = " ".join(line.partition("#")[0] for line in path.read_text(errors="replace").splitlines()).split()
     sections, k = {}, 0
     try:
         while k < len(words) and words[k] != "End":
