@@ -90,7 +90,8 @@ void test_refusals(const Temporary_folder& folder) {
   refuse(folder, "bad.obj", replaced(obj, "f 2 3 4", "f 2 3 5"), VMP::ERROR_INDEX_OUT_OF_RANGE, "face 2");
   refuse(folder, "bad.ply", ply.substr(0, ply.size() - 20), VMP::ERROR_WRONG_FORMAT, "it is truncated or not");
   refuse(folder, "bad.ply", replaced(ply, "3 1 2 3", "3 1 2 4"), VMP::ERROR_INDEX_OUT_OF_RANGE, "face 2");
-  refuse(folder, "bad.ply", replaced(ply, "element vertex 4\n", ""), VMP::ERROR_WRONG_FORMAT, "a property comes before all elements");
+  refuse(folder, "bad.ply", replaced(ply, "element vertex 4\n", ""), VMP::ERROR_WRONG_FORMAT,
+         "a property comes before all elements");
   refuse(folder, "bad.stl", stl().substr(0, 200), VMP::ERROR_WRONG_FORMAT, "it is truncated or not");
   Soup soup;
   expect(VMP::IO::read_surface(folder.file("none.off"), soup), VMP::ERROR_CANNOT_READ_FILE, "none.off: No such file");
