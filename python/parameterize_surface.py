@@ -12,7 +12,10 @@ import volume_mesh_parameterization as vmp
 
 def main(surface_file, tetrahedra_file="tetrahedra.vtu", hexahedra_file="hexahedra.vtu"):
     # 1. Read a surface of triangles.
-    surface = meshio.read(surface_file)
+    try:
+        surface = meshio.read(surface_file)
+    except (OSError, UnicodeDecodeError, meshio.ReadError) as error:
+        return f"{surface_file}: {error}"
     triangles = surface.get_cells_type("triangle")
 
     # 2. Fill it, find floor, ceiling and walls, and map it.
@@ -46,4 +49,10 @@ def main(surface_file, tetrahedra_file="tetrahedra.vtu", hexahedra_file="hexahed
 
 
 if __name__ == "__main__":
-    sys.exit(main(*sys.argv[1:]) if 2 <= len(sys.argv) <= 4 else __doc__)
+    if "--help" in sys.argv or "-h" in sys.argv:
+        print(__doc__.strip())
+    elif 2 <= len(sys.argv) <= 4:
+        sys.exit(main(*sys.argv[1:]))
+    else:
+        print(__doc__.strip(), file=sys.stderr)
+        sys.exit(2)

@@ -108,6 +108,9 @@ class TestParameterization(unittest.TestCase):
             vmp.parameterize(points[:, :2], cells)
         with self.assertRaises(ValueError):
             vmp.parameterize(points, cells, cells[:, :3], [FLOOR])
+        triangles, labels = boundary(points, cells)
+        with self.assertRaises(ValueError):
+            vmp.parameterize(points, cells, triangles, labels + 2**32)
         with self.assertRaises(TypeError):
             vmp.parameterize(points, cells + 0.5)
 

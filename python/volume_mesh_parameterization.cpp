@@ -65,6 +65,12 @@ auto rows(const Array& array, const char* name) {
   return result;
 }
 
+int label_of(std::int64_t number) {
+  const int label = int(number);
+  if (label != number) throw py::value_error("the label " + std::to_string(number) + " is too large");
+  return label;
+}
+
 std::vector<Point_3> points_of(const Reals& array) {
   std::vector<Point_3> points;
   for (const auto& p : rows<3>(array, "points")) points.emplace_back(p[0], p[1], p[2]);
@@ -130,7 +136,7 @@ public:
     for (const auto& vertices : rows<3>(triangles, "triangles")) soup.facets.push_back({vertices, 0});
     if (labels.ndim() != 1 || labels.size() != py::ssize_t(soup.facets.size()))
       throw py::value_error("there must be one label for each triangle");
-    for (std::size_t i = 0; i < soup.facets.size(); ++i) soup.facets[i].label = int(labels.at(i));
+    for (std::size_t i = 0; i < soup.facets.size(); ++i) soup.facets[i].label = label_of(labels.at(i));
     VMP::orient_cells(soup);
     Mesh mesh;
     require(mesh.assign(soup));

@@ -39,6 +39,9 @@ SIZES = {
 
 
 def main(arguments):
+    if "--help" in arguments or "-h" in arguments:
+        print(__doc__.strip())
+        return 0
     if len(arguments) != 4 or arguments[3] not in SIZES:
         print(__doc__.strip(), file=sys.stderr)
         return 2

@@ -22,7 +22,7 @@ size=small
 while [ $# -gt 0 ]; do
   case $1 in
   -h | --help) usage && exit 0 ;;
-  --size) size=${2:-}; shift ;;
+  --size) [ $# -gt 1 ] || fail "--size needs small or full"; size=$2; shift ;;
   *) usage >&2 && fail "unknown argument $1" ;;
   esac
   shift

@@ -2,6 +2,12 @@
 # Checks what CGAL's testers check before they merge a branch, as far as it applies to one package outside of the tree.
 # shellcheck source-path=SCRIPTDIR source=common.sh
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
+
+if [ $# -gt 0 ]; then
+  say "usage: scripts/house_rules.sh"
+  say "Prints which of CGAL's rules for packages the files of this checkout break; exit 0 if none, else 1."
+  case $1 in -h | --help) exit 0 ;; *) exit 2 ;; esac
+fi
 cd "$root"
 
 package=Volume_mesh_parameterization

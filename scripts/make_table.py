@@ -4,8 +4,8 @@
 usage: make_table.py RESULT_FOLDER...
 
 Each folder has a report.json, which may also be named itself. The first table tells what was measured of the maps, the
-second one the CPU seconds of each stage, the third one what was measured of hexahedra if there are any. What a report does not tell is shown as -; where there is no piecewise linear
-map, the table says why.
+second one the CPU seconds of each stage, the third one what was measured of hexahedra if there are any. What a report does
+not tell is shown as -; where there is no piecewise linear map, the table says why.
 
 Exit: 0 the tables are printed, 1 a report cannot be read, 2 wrong usage.
 """

@@ -20,11 +20,18 @@ NEAR = 1e-3
 
 
 def main(arguments):
+    if "--help" in arguments or "-h" in arguments:
+        print(__doc__.strip())
+        return 0
     if len(arguments) != 2 or arguments[1] not in ("rk4", "rk45"):
         print(__doc__.strip(), file=sys.stderr)
         return 2
     vtk.vtkSMPTools.Initialize(1)
-    grid = with_gradient(read(arguments[0]))
+    grid = read(arguments[0])
+    if not grid.GetPointData().HasArray("is_seed"):
+        print(f"trace_with_vtk.py: {arguments[0]} cannot be read, or has no seeds", file=sys.stderr)
+        return 1
+    grid = with_gradient(grid)
     seeds = points_of(grid, vtk_to_numpy(grid.GetPointData().GetArray("is_seed")).nonzero()[0])
     cost_of_locator = trace(grid, points_of(seeds, [0]), arguments[1])[1]
     lines, cost = trace(grid, seeds, arguments[1])
@@ -41,6 +48,7 @@ def main(arguments):
 
 
 def read(file):
+    vtk.vtkObject.GlobalWarningDisplayOff()  # VTK's own messages name its source files
     reader = vtk.vtkXMLUnstructuredGridReader()
     reader.SetFileName(file)
     reader.Update()

@@ -7,6 +7,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <filesystem>
 #include <iostream>
 #include <map>
 #include <string>
@@ -47,7 +48,11 @@ CLI::Option* add_picks(CLI::App& command, const char* name, const char* type, co
 void add_partition(CLI::App& command, Partition_command& options) {
   add_input(command, options.input);
   add_keep_triangles(command, options.input);
-  command.add_option("-o,--output", options.output, "the file for the labelled tetrahedra (.mesh)")->required();
+  command.add_option("-o,--output", options.output, "the file for the labelled tetrahedra (.mesh)")
+      ->check([](const std::string& file) {
+        return std::filesystem::path(file).extension() == ".mesh" ? std::string() : file + " does not end in .mesh";
+      }, "")
+      ->required();
   command.add_option("--direction", options.input.direction, "from the floor to the ceiling, as X,Y,Z")->delimiter(',');
   add_picks(command, "--floor", "PICK", "a triangle that is to be floor: its number in a surface file, from 0, or X,Y,Z for the nearest", options.picks,
             [](const std::string& text) { return parse_pick(VMP::FLOOR, text); });
@@ -57,7 +62,8 @@ void add_partition(CLI::App& command, Partition_command& options) {
   const std::map<std::string, VMP::Given_labels> uses = {
       {"ignore", VMP::IGNORE_LABELS}, {"keep", VMP::KEEP_LABELS}, {"mend", VMP::MEND_LABELS}};
   command.add_option("--labels", options.given_labels, "what labels in INPUT are for: nothing (default), facets to keep them, or a partition to mend")
-      ->transform(CLI::CheckedTransformer(uses).description("{ignore,keep,mend}"))
+      ->transform(CLI::Transformer(uses).description(""))
+      ->transform(CLI::IsMember(uses)) // the last one comes first, and complains better
       ->excludes("--floor", "--ceiling", "--wall");
   command.add_option("--candidates", options.number_of_candidates, "how many partitions to compare")
       ->check(CLI::Range(1, 100).description("1 to 100"))
@@ -108,7 +114,8 @@ void add_parameterize(CLI::App& command, Parameterize_options& options) {
   const std::map<std::string, Field> fields = {
       {"certified", Field::CERTIFIED}, {"flux", Field::FLUX}, {"paper", Field::PAPER}};
   command.add_option("--field", options.field, "the curves: certified (default), of the flux itself, or also the paper's averaged gradient for comparison")
-      ->transform(CLI::CheckedTransformer(fields).description("{certified,flux,paper}"));
+      ->transform(CLI::Transformer(fields).description(""))
+      ->transform(CLI::IsMember(fields));
   add_hexahedra(command, options.hexahedra);
   CLI::Option* boundary_map = command.add_option("--boundary-map", options.boundary_map, "onto a polycube instead of a prism that fits: a file like INPUT whose points are the images of the vertices of INPUT; those on the boundary count")
       ->type_name("FILE")

@@ -15,6 +15,7 @@
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 
 #include <algorithm>
+#include <exception>
 #include <filesystem>
 #include <vector>
 
@@ -26,9 +27,12 @@ namespace {
 // Cuts faces with more than three vertices into triangles.
 Status read_polygons(const std::string& file, Surface& surface) {
   CGAL::Surface_mesh<Point_3> mesh;
-  if (!CGAL::IO::read_polygon_mesh(file, mesh) || !CGAL::Polygon_mesh_processing::triangulate_faces(mesh))
-    return {VMP::ERROR_NOT_TRIANGULATED, file + ": the polygons cannot be cut into triangles that make a surface"};
-  return VMP::make_triangle_soup(mesh, surface);
+  try {
+    if (CGAL::IO::read_polygon_mesh(file, mesh) && CGAL::Polygon_mesh_processing::triangulate_faces(mesh))
+      return VMP::make_triangle_soup(mesh, surface);
+  } catch (const std::exception&) { // a failed allocation, or an assertion of the reader
+  }
+  return {VMP::ERROR_NOT_TRIANGULATED, file + ": the polygons cannot be cut into triangles that make a surface"};
 }
 
 Status read_triangles(const std::string& file, Surface& surface) {

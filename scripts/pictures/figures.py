@@ -71,11 +71,11 @@ def draw_curves(result):
     colors = curve_colors(curves)
     x, y, z = np.eye(3)
     views = [main_view(mesh.points), View(images, -y, x, z, tilt=(0.4, 0.9))]
+    surfaces = [make_surface(mesh.points, mesh.boundary), make_surface(*result.domain_boundary)]
     picture = two_panels(views[0])
-    for domain, view in enumerate(views):
+    for domain, (view, surface) in enumerate(zip(views, surfaces)):
         chosen = np.flatnonzero(curves.domain == domain)
-        shell = make_shell(make_surface(view.points, mesh.boundary))
-        picture.add_panel(view, shell + make_tubes([curves.lines[i] for i in chosen], colors[chosen], view.points))
+        picture.add_panel(view, make_shell(surface) + make_tubes([curves.lines[i] for i in chosen], colors[chosen], view.points))
     return picture
 
 

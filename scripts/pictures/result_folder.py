@@ -48,6 +48,14 @@ class Result:
         return np.column_stack([u, v, w * self.domain_height])
 
     @functools.cached_property
+    def domain_boundary(self):
+        """points and triangles: exact by the piecewise linear map; where there is none, phi cuts the edges of P"""
+        if not (self.folder / "parameter.mesh").is_file():
+            return self.domain_points, self.mesh.boundary
+        image = Labelled_mesh(self.file("parameter.mesh"))
+        return image.points, image.boundary
+
+    @functools.cached_property
     def domain_height(self):
         """what w is a share of: the height of a prism; in a given polycube w is a coordinate itself"""
         return json.loads(self.file("report.json").read_text())["domain"].get("height", 1)
@@ -127,7 +135,7 @@ MEDIT_COLUMNS = {"Vertices": 4, "Edges": 3, "Triangles": 4, "Quadrilaterals": 5,
 
 def read_medit(path, names):
     """returns the named sections of an ASCII MEDIT file as arrays with a row for each element"""
-    words = " ".join(line.partition("#")[0] for line in path.read_text().splitlines()).split()
+    words = " ".join(line.partition("#")[0] for line in path.read_text(errors="replace").splitlines()).split()
     sections, k = {}, 0
     try:
         while k < len(words) and words[k] != "End":

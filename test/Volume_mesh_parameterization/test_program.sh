@@ -375,7 +375,9 @@ test_partition() {
   run 2 partition block.mesh -o labelled.mesh --floor 1,2
   run 2 partition block.mesh -o labelled.mesh --wall 1,2,3
   run 2 partition block.mesh -o labelled.mesh --candidates 0
+  run 2 partition block.mesh -o labelled.vtu
   run 2 partition block.mesh -o labelled.mesh --labels guess
+  grep -qF 'guess not in {ignore,keep,mend}' errors || fail "--labels guess: stderr does not say what there is"
   run 1 partition block.mesh -o block.mesh
   says_why block.mesh 'it is the input'
   run 1 partition block.mesh -o labelled.mesh --floor 17

@@ -70,6 +70,7 @@ void test_refusals_of_OFF(const Temporary_folder& folder) {
   refuse_off("9 9 9", "9 9 x", VMP::ERROR_WRONG_FORMAT, "line 4: vertex 1: not the numbers");
   refuse_off("9 9 9", "9 nan 9", VMP::ERROR_COORDINATE_NOT_FINITE, "vertex 1");
   refuse_off("3 2 3 4", "4 2 3 4 0", VMP::ERROR_NOT_TRIANGULATED, "face 2 has 4 vertices");
+  refuse_off("3 2 3 4", "4294967296 2 3 4", VMP::ERROR_WRONG_FORMAT, "line 12: face 2: the file is truncated");
   refuse_off("3 2 3 4", "3 2 3 5", VMP::ERROR_INDEX_OUT_OF_RANGE, "face 2: vertex 5 of 5");
   refuse_off("3 2 3 4", "3 2 -3 4", VMP::ERROR_WRONG_FORMAT, "line 10: face 2");
   refuse(folder, "bad.off", "OFF\n0 0 0\n", VMP::ERROR_EMPTY_MESH, "it has no triangles");
@@ -89,6 +90,8 @@ void test_refusals(const Temporary_folder& folder) {
   refuse(folder, "bad.obj", replaced(obj, "f 2 3 4", "f 2 3 5"), VMP::ERROR_INDEX_OUT_OF_RANGE, "face 2");
   refuse(folder, "bad.ply", ply.substr(0, ply.size() - 20), VMP::ERROR_WRONG_FORMAT, "it is truncated or not");
   refuse(folder, "bad.ply", replaced(ply, "3 1 2 3", "3 1 2 4"), VMP::ERROR_INDEX_OUT_OF_RANGE, "face 2");
+  refuse(folder, "bad.ply", replaced(ply, "element vertex 4\n", ""), VMP::ERROR_WRONG_FORMAT,
+         "a property comes before all elements");
   refuse(folder, "bad.stl", stl().substr(0, 200), VMP::ERROR_WRONG_FORMAT, "it is truncated or not");
   Soup soup;
   expect(VMP::IO::read_surface(folder.file("none.off"), soup), VMP::ERROR_CANNOT_READ_FILE, "none.off: No such file");

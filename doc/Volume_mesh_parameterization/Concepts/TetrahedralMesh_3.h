@@ -55,7 +55,7 @@ returns the position of vertex `vertex`.
 Point_3 point(std::size_t vertex) const;
 
 /*!
-returns the vertices of cell `cell`, in an order in which they are positively oriented.
+returns the vertices of cell `cell`, in an order in which `CGAL::orientation()` of their points is positive.
 */
 Cell_vertices cell(std::size_t cell) const;
 

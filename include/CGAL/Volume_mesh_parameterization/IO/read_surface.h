@@ -22,6 +22,7 @@
 #include <cstddef>
 #include <exception>
 #include <istream>
+#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -43,6 +44,14 @@ Status read_OFF(std::istream& is, Triangle_soup_3<Point>& soup) {
   std::string text;
   const Status status = read_all(is, text);
   return status.ok() ? OFF_reader<Point>(text, soup).read() : status;
+}
+
+// CGAL's reader crashes if it does.
+inline bool starts_with_property(std::istream& ply) {
+  std::string keyword;
+  for (std::string line; keyword != "property" && keyword != "element" && std::getline(ply, line);)
+    std::istringstream(line) >> keyword;
+  return keyword == "property";
 }
 
 template <typename Point>
@@ -96,6 +105,8 @@ Status read_surface(const std::string& filename, Triangle_soup_3<Point>& soup) {
   Status status = internal::read_file(filename, [&](std::istream& is) -> Status {
     if (type == "off") return internal::read_OFF(is, result);
     if (is.peek() == std::istream::traits_type::eof()) return {ERROR_WRONG_FORMAT, "the file is empty"};
+    if (type == "ply" && internal::starts_with_property(is))
+      return {ERROR_WRONG_FORMAT, "a property comes before all elements"};
     if (type == "obj" || type == "ply" || type == "stl") return internal::read_polygons(filename, result);
     return {ERROR_WRONG_FORMAT, "the type of a surface must be .off, .obj, .ply or .stl"};
   });

@@ -76,22 +76,27 @@ private:
     return {};
   }
 
+  // All faces are looked at, even if one is no triangle: a caller may give the file to CGAL's reader then.
   Status read_triangles() {
     m_soup.triangles.resize(m_number_of_faces);
+    Status status;
     for (std::size_t f = 0; f < m_number_of_faces; ++f) {
       const std::string name = "face " + std::to_string(f);
       std::size_t n = 0;
       if (!m_scanner.read(n)) return bad_entry(name);
-      if (n != 3) return {ERROR_NOT_TRIANGULATED, name + " has " + std::to_string(n) + " vertices"};
-      for (std::size_t& v : m_soup.triangles[f]) {
+      if (n != 3 && status.ok())
+        status = {ERROR_NOT_TRIANGULATED, name + " has " + std::to_string(n) + " vertices"};
+      for (std::size_t i = 0; i < n; ++i) {
+        std::size_t v;
         if (!m_scanner.read(v)) return bad_entry(name);
         if (v >= m_number_of_points)
           return {ERROR_INDEX_OUT_OF_RANGE,
                   name + ": vertex " + std::to_string(v) + " of " + std::to_string(m_number_of_points)};
+        if (i < 3) m_soup.triangles[f][i] = v;
       }
       m_scanner.rest_of_line(); // a color
     }
-    return {};
+    return status;
   }
 
   Text_scanner m_scanner;
