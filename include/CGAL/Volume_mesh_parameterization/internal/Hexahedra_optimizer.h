@@ -170,10 +170,9 @@ private:
     std::vector<Vector> best_nodes = m_nodes;
     Badness least = badness(target);
     for (int round = 0; round < most_rounds && (least.first > 0 || -least.second < target); ++round) {
-      const double share = tolerance * (round + 1) / most_rounds;
       for (std::size_t h = 0; h < m_hexahedra.size(); ++h)
         if (m_inverted[h] || m_qualities[h] < target)
-          for (std::size_t v : m_hexahedra[h]) m_slacks[v] = share * (std::min)(mean_edge(v), m_watch.mean_side());
+          for (std::size_t v : m_hexahedra[h]) m_slacks[v] = tolerance * (round + 1) / most_rounds * mean_edge(v);
       if (round % 2 == 1 && least.first > 0) spread();
       for (int power : powers) run_pass({power, volume_weight}, least_gain, target, fewest_sweeps);
       look_at_all();

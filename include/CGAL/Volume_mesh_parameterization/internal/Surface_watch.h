@@ -66,8 +66,6 @@ public:
     m_too_far = too_far * greatest_distance * m_side;
   }
 
-  double mean_side() const { return m_side; }
-
   // Takes the present distances for those that may be.
   void start(const Nodes& nodes) {
     m_greatest.clear();
