@@ -6,7 +6,8 @@ usage: make_pictures.py RESULT_FOLDER [OUTPUT_FOLDER]
 
 The second form shows solids with labelled boundaries side by side, for example the candidates that
 `handlebody partition --choose I` writes. In the first form OUTPUT_FOLDER, by default RESULT_FOLDER, then has labels.png,
-isosurfaces.png, volume.png, curves.png, cut.png and hexahedra.png, as far as RESULT_FOLDER has the files that they show.
+isosurfaces.png, volume.png, curves.png, cut.png, hexahedra.png and histogram.png, as far as RESULT_FOLDER has the files that
+they show.
 
 Exit: 0 all pictures are drawn, 1 none is, 2 wrong usage, 3 some are, and stderr says why the others are not.
 

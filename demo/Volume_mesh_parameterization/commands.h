@@ -67,9 +67,18 @@ struct Partition_command {
   bool quiet = false;
 };
 
+struct Remesh_command {
+  std::string folder; // of a result
+  std::string output; // the folder for the hexahedra
+  Hexahedra_options hexahedra;
+  std::size_t threads = Thread_limit::default_number();
+  bool quiet = false;
+};
+
 int check(const Input_options& options, bool quiet);
 int partition(const Partition_command& options);
 int parameterize(const Parameterize_options& options);
+int remesh(const Remesh_command& options);
 int verify(const std::string& folder, bool quiet);
 
 #endif // HANDLEBODY_COMMANDS_H

@@ -74,7 +74,8 @@ void add_partition(CLI::App& command, Partition_command& options) {
   add_quiet(command, options.quiet);
 }
 
-void add_hexahedra(CLI::App& command, Hexahedra_options& options) {
+// Unless they are all that is asked for, hexahedra may be left out.
+void add_hexahedra(CLI::App& command, Hexahedra_options& options, bool is_required) {
   constexpr double greatest_grading = 10;
   command.add_option("--hexes", options.number, "also a hexahedral mesh of about so many cells; 0: none")
       ->check(CLI::Range(0., most_cells).description("up to 1e7"))
@@ -97,10 +98,18 @@ void add_hexahedra(CLI::App& command, Hexahedra_options& options) {
       ->check(CLI::IsMember({"medit", "gmsh", "abaqus", "vtu"}).description("of {medit,gmsh,abaqus,vtu}"))
       ->capture_default_str();
   command.add_flag("--pillow", options.has_pillow, "with hexahedra: a layer of them along the boundary, for good corners where it is smooth");
-  command.callback([&command, &options] {
+  command.callback([&command, &options, is_required] {
+    if (is_required && !options.is_wanted()) throw CLI::RequiredError("--hexes, --hex-edge or --hex-cells");
     for (const char* option : {"--hex-grading", "--hex-format", "--pillow"})
       if (command.count(option) > 0 && !options.is_wanted()) throw CLI::RequiresError(option, "--hexes");
   });
+}
+
+void add_threads(CLI::App& command, std::size_t& threads) {
+  command.add_option("--threads", threads, "how many threads at most; the result does not depend on it")
+      ->check(CLI::Range(std::size_t(1), Thread_limit::most).description("up to 1024"))
+      ->check(CLI::Validator([](std::string& number) { return Thread_limit::refusal(number); }, ""))
+      ->capture_default_str();
 }
 
 void add_parameterize(CLI::App& command, Parameterize_options& options) {
@@ -116,7 +125,7 @@ void add_parameterize(CLI::App& command, Parameterize_options& options) {
   command.add_option("--field", options.field, "the curves: certified (default), of the flux itself, or also the paper's averaged gradient for comparison")
       ->transform(CLI::Transformer(fields).description(""))
       ->transform(CLI::IsMember(fields));
-  add_hexahedra(command, options.hexahedra);
+  add_hexahedra(command, options.hexahedra, false);
   CLI::Option* boundary_map = command.add_option("--boundary-map", options.boundary_map, "onto a polycube instead of a prism that fits: a file like INPUT whose points are the images of the vertices of INPUT; those on the boundary count")
       ->type_name("FILE")
       ->excludes(partition)
@@ -138,10 +147,15 @@ void add_parameterize(CLI::App& command, Parameterize_options& options) {
   command.add_option("--solver", options.solver, "for the linear systems")
       ->check(CLI::IsMember(Chosen_solver_traits::names()))
       ->capture_default_str();
-  command.add_option("--threads", options.threads, "how many threads at most; the result does not depend on it")
-      ->check(CLI::Range(std::size_t(1), Thread_limit::most).description("up to 1024"))
-      ->check(CLI::Validator([](std::string& number) { return Thread_limit::refusal(number); }, ""))
-      ->capture_default_str();
+  add_threads(command, options.threads);
+  add_quiet(command, options.quiet);
+}
+
+void add_remesh(CLI::App& command, Remesh_command& options) {
+  command.add_option("DIR", options.folder, "the folder of a result with parameter.mesh")->required();
+  command.add_option("-o,--output", options.output, "the folder for the hexahedra and their report")->required();
+  add_hexahedra(command, options.hexahedra, true);
+  add_threads(command, options.threads);
   add_quiet(command, options.quiet);
 }
 
@@ -164,6 +178,10 @@ int run(int argc, char** argv) {
   Parameterize_options parameterize_options;
   add_parameterize(*parameterize_command, parameterize_options);
 
+  CLI::App* remesh_command = app.add_subcommand("hexahedra", "Meshes a solid by hexahedra that has been mapped onto a prism.");
+  Remesh_command remesh_options;
+  add_remesh(*remesh_command, remesh_options);
+
   CLI::App* verify_command = app.add_subcommand("verify", "Checks the files of a result again, from scratch.");
   std::string folder;
   verify_command->add_option("DIR", folder, "the folder of a result")->required();
@@ -177,6 +195,7 @@ int run(int argc, char** argv) {
   if (*check_command) return check(check_options, quiet);
   if (*partition_command) return partition(partition_options);
   if (*parameterize_command) return parameterize(parameterize_options);
+  if (*remesh_command) return remesh(remesh_options);
   return verify(folder, quiet);
 }
 

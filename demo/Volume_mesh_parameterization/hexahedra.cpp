@@ -23,7 +23,9 @@ using Tag = CGAL::Parallel_if_available_tag;
 
 namespace {
 
-VMP::Prism_grid choose_grid(const Hexahedra_options& options, const VMP::Prism_3<Kernel>& prism, double volume) {
+VMP::Prism_grid choose_grid(const Hexahedra_options& options, const VMP::Prism_3<Kernel>& prism, const Mesh& solid) {
+  const std::vector<double> volumes = VMP::measure_volumes(solid, solid.points());
+  const double volume = std::accumulate(volumes.begin(), volumes.end(), 0.);
   VMP::Prism_grid grid;
   if (options.cells) {
     const auto& n = *options.cells;
@@ -43,9 +45,10 @@ Status extract_along_curves(const Prism_parameterizer& solid, const VMP::Prism_g
   return VMP::hexahedral_mesh<Tag>(solid.floor_map()->domain(), grid, column, hexahedra);
 }
 
-Status extract_linearly(const VMP::Prism_3<Kernel>& prism, const VMP::Piecewise_linear_map_3<Kernel>& map, const VMP::Prism_grid& grid, Hexahedra& hexahedra) {
+Status extract_linearly(const Mesh& solid, const VMP::Prism_3<Kernel>& prism, const std::vector<Point_3>& images,
+                        const VMP::Prism_grid& grid, Hexahedra& hexahedra) {
   VMP::Piecewise_linear_inverse_3<Kernel> inverse;
-  const Status status = inverse.build(map);
+  const Status status = inverse.build(solid, images);
   const auto column = [&](const auto& foot, const std::vector<double>& levels, std::vector<Point_3>& points) {
     return inverse.column(foot, prism.height(), levels, points);
   };
@@ -57,7 +60,7 @@ Status extract(const Prism_parameterizer& solid, const VMP::Piecewise_linear_map
   Status status = extract_along_curves(solid, grid, hexahedra);
   if (!status.ok() || !linear_map.is_valid()) return status;
   Hexahedra others;
-  status = extract_linearly(solid.floor_map()->domain(), linear_map, grid, others);
+  status = extract_linearly(linear_map.mesh(), solid.floor_map()->domain(), linear_map.images(), grid, others);
   if (!status.ok()) return status;
   const auto badness = [](const Hexahedra& h) {
     const VMP::Hexahedra_report report = VMP::verify_hexahedra(h);
@@ -70,7 +73,6 @@ Status extract(const Prism_parameterizer& solid, const VMP::Piecewise_linear_map
 // A pillow makes good corners possible along smooth rims, where these need not be kept.
 VMP::Hexahedra_optimization optimization(bool has_pillow) {
   VMP::Hexahedra_optimization result;
-  if (has_pillow) result.target = result.second_target;
   result.slides_over_smooth_rims = has_pillow;
   return result;
 }
@@ -109,23 +111,33 @@ Json report_worst(const Hexahedra& hexahedra, const std::vector<double>& qualiti
   return worst;
 }
 
-} // namespace
-
-Status make_hexahedra(const Hexahedra_options& options, const Prism_parameterizer& solid, const VMP::Piecewise_linear_map_3<Kernel>& linear_map, Json& report,
-                      Hexahedra& hexahedra) {
-  const std::vector<double> volumes = VMP::measure_volumes(solid.mesh(), solid.mesh().points());
-  const VMP::Prism_grid grid = choose_grid(options, solid.floor_map()->domain(), std::accumulate(volumes.begin(), volumes.end(), 0.));
-  Status status = extract(solid, linear_map, grid, hexahedra);
-  if (status.ok() && options.has_pillow) status = VMP::pillow_hexahedra(hexahedra);
+Status improve(const Hexahedra_options& options, const Mesh& solid, Json& report, Hexahedra& hexahedra) {
+  Status status = options.has_pillow ? VMP::pillow_hexahedra(hexahedra) : Status();
   if (!status.ok()) return status;
   report["hexahedra_before_optimization"] = report_hexahedra(VMP::verify_hexahedra(hexahedra), hexahedra.hexahedra.size(), options.has_pillow);
-  status = VMP::optimize_hexahedra<Tag>(solid.mesh(), hexahedra, optimization(options.has_pillow));
+  status = VMP::optimize_hexahedra<Tag>(solid, hexahedra, optimization(options.has_pillow));
   if (!status.ok()) return status;
   const VMP::Hexahedra_report quality = VMP::verify_hexahedra(hexahedra);
   const std::vector<double> scaled_jacobians = VMP::scaled_jacobians(hexahedra);
   Json& result = report["hexahedra"] = report_hexahedra(quality, hexahedra.hexahedra.size(), options.has_pillow);
-  result["fit"] = report_fit(VMP::measure_hexahedral_fit(solid.mesh(), hexahedra));
+  result["fit"] = report_fit(VMP::measure_hexahedral_fit(solid, hexahedra));
   result["scaled_jacobian_in_twentieths"] = report_histogram(scaled_jacobians);
   result["worst"] = report_worst(hexahedra, scaled_jacobians);
   return quality.status;
+}
+
+} // namespace
+
+Status make_hexahedra(const Hexahedra_options& options, const Prism_parameterizer& solid,
+                      const VMP::Piecewise_linear_map_3<Kernel>& linear_map, Json& report,
+                      Hexahedra& hexahedra) {
+  const VMP::Prism_grid grid = choose_grid(options, solid.floor_map()->domain(), solid.mesh());
+  const Status status = extract(solid, linear_map, grid, hexahedra);
+  return status.ok() ? improve(options, solid.mesh(), report, hexahedra) : status;
+}
+
+Status make_hexahedra(const Hexahedra_options& options, const Mesh& solid, const VMP::Prism_3<Kernel>& prism,
+                      const std::vector<Point_3>& images, Json& report, Hexahedra& hexahedra) {
+  const Status status = extract_linearly(solid, prism, images, choose_grid(options, prism, solid), hexahedra);
+  return status.ok() ? improve(options, solid, report, hexahedra) : status;
 }

@@ -1,17 +1,16 @@
 #include "Result_folder.h"
 #include "commands.h"
+#include "load_result.h"
 #include "types.h"
 
 #include <CGAL/Volume_mesh_parameterization/IO/MEDIT.h>
-#include <CGAL/Volume_mesh_parameterization/check_tetrahedral_mesh.h>
-#include <CGAL/Volume_mesh_parameterization/handlebody_certificate.h>
-#include <CGAL/Volume_mesh_parameterization/validate_partition.h>
 #include <CGAL/Volume_mesh_parameterization/verify_hexahedra.h>
-#include <CGAL/Volume_mesh_parameterization/verify_map.h>
 #include <CGAL/Volume_mesh_parameterization/verify_product.h>
 
 #include <iostream>
 #include <sstream>
+#include <string>
+#include <vector>
 
 using VMP::Status;
 
@@ -39,13 +38,8 @@ private:
 };
 
 Status verify_solid(const Result_folder& folder, const char* file, Mesh& mesh, std::string& what_holds) {
-  Soup soup;
   VMP::Boundary_partition_3 partition;
-  VMP::Handlebody_certificate certificate;
-  Status status = VMP::IO::read_MEDIT(folder.file(file), soup);
-  if (status.ok()) status = mesh.assign(soup);
-  if (status.ok()) status = VMP::check_tetrahedral_mesh(mesh);
-  if (status.ok()) status = VMP::validate_solid(mesh, partition, certificate);
+  const Status status = load_solid(folder, file, mesh, partition);
   what_holds = std::to_string(mesh.number_of_cells()) + " tetrahedra, a handlebody of genus " +
                std::to_string(partition.genus) + " with a legal partition";
   return status;
@@ -55,17 +49,6 @@ Status verify_order(const Result_folder& folder, const char* file, const Mesh& m
   std::vector<VMP::Cell_index> order;
   const Status status = folder.read_order(file, order);
   return status.ok() ? VMP::verify_product(mesh, order) : status;
-}
-
-Status verify_parameter(const Result_folder& folder, const Mesh& mesh) {
-  Soup images;
-  const Status status = VMP::IO::read_MEDIT(folder.file(Result_folder::parameter), images);
-  if (!status.ok()) return status;
-  bool same = images.points.size() == mesh.number_of_vertices() && images.cells.size() == mesh.number_of_cells();
-  for (VMP::Cell_index c : mesh.cells())
-    same = same && std::equal(mesh.cell(c).begin(), mesh.cell(c).end(), images.cells[c].begin());
-  if (!same) return {VMP::ERROR_MAP_NOT_BIJECTIVE, "it has other vertices or tetrahedra than object.mesh"};
-  return VMP::verify_map(mesh, images.points).status;
 }
 
 Status verify_hexahedra(const Result_folder& folder, std::string& what_holds) {
@@ -96,11 +79,14 @@ int verify(const std::string& path, bool quiet) {
   const Result_folder folder(path);
   Verdicts verdict(quiet);
   Mesh mesh, domain;
-  if (!verify_product(folder, Result_folder::object, Result_folder::order, mesh, verdict)) return verdict.exit_code();
+  const bool has_hexahedra_only = folder.has(Result_folder::hexahedra) && !folder.has(Result_folder::object);
+  if (!has_hexahedra_only && !verify_product(folder, Result_folder::object, Result_folder::order, mesh, verdict))
+    return verdict.exit_code();
   if (folder.has(Result_folder::domain))
     verify_product(folder, Result_folder::domain, Result_folder::domain_order, domain, verdict);
+  std::vector<Point_3> images;
   if (folder.has(Result_folder::parameter))
-    verdict(Result_folder::parameter, verify_parameter(folder, mesh), "a piecewise linear bijection");
+    verdict(Result_folder::parameter, load_images(folder, mesh, images), "a piecewise linear bijection");
   if (folder.has(Result_folder::hexahedra)) {
     std::string what_holds;
     const Status status = verify_hexahedra(folder, what_holds);

@@ -10,6 +10,7 @@ from .scene import (HEIGHT_COLORS, QUALITY_COLORS, WIDTH, CutView, Picture, View
                     label_name_and_color, main_view, make_actor, make_shell, principal_axes, two_panels)
 
 LEVELS = np.arange(1, 12) / 12
+HISTOGRAM_HEIGHT = 450
 SHELL_THICKNESS, SHELL_OPACITY, HAZE = 0.012, 0.20, 0.004  # in f; of one slice of the volume
 CURVE_COLORS = [(0.10, 0.22, 0.62), (0.05, 0.52, 0.66), (0.16, 0.58, 0.25), (0.88, 0.66, 0.10), (0.83, 0.25, 0.16),
                 (0.55, 0.16, 0.52)]
@@ -114,8 +115,20 @@ def draw_hexahedra(result):
     return picture
 
 
+def draw_histogram(result):
+    """the share of the hexahedra with a scaled Jacobian in each twentieth from 0 to 1"""
+    report = result.hexahedra_report
+    counts = np.array(report["scaled_jacobian_in_twentieths"])
+    picture = Picture(height=HISTOGRAM_HEIGHT)
+    middles = (np.arange(len(counts)) + 0.5) / len(counts)
+    picture.add_bars(middles, 100 * counts / counts.sum(), "scaled Jacobian", "% of the hexahedra")
+    picture.add_title(f"{report['number']} hexahedra, {report['inverted']} inverted, scaled Jacobian from "
+                      f"{report['minimum_scaled_jacobian']:.3f}, mean {report['mean_scaled_jacobian']:.3f}")
+    return picture
+
+
 FIGURES = {"labels": draw_labels, "isosurfaces": draw_isosurfaces, "volume": draw_volume, "curves": draw_curves,
-           "cut": draw_cut, "hexahedra": draw_hexahedra}
+           "cut": draw_cut, "hexahedra": draw_hexahedra, "histogram": draw_histogram}
 
 
 def gradients_of_f(mesh):

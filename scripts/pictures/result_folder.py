@@ -58,7 +58,17 @@ class Result:
     @functools.cached_property
     def domain_height(self):
         """what w is a share of: the height of a prism; in a given polycube w is a coordinate itself"""
-        return json.loads(self.file("report.json").read_text())["domain"].get("height", 1)
+        return self.report["domain"].get("height", 1)
+
+    @functools.cached_property
+    def report(self):
+        return json.loads(self.file("report.json").read_text())
+
+    @functools.cached_property
+    def hexahedra_report(self):
+        if "hexahedra" not in self.report:
+            raise Missing(f"{self.folder / 'report.json'} tells of no hexahedra")
+        return self.report["hexahedra"]
 
 
 class Tetrahedra:

@@ -2,6 +2,7 @@
 
 import numpy as np
 import vtk
+from vtk.util.numpy_support import numpy_to_vtk
 
 from .convert import run
 from .result_folder import FIRST_WALL, FLOOR, CEILING, Missing
@@ -155,6 +156,37 @@ class Picture:
             renderer.AddLight(light)
         view.aim(renderer.GetActiveCamera(), WIDTH / self.columns / (self.height / self.rows))
         renderer.ResetCameraClippingRange()
+        self.window.AddRenderer(renderer)
+        self.renderers.append(renderer)
+
+    def add_bars(self, places, heights, name_of_places, name_of_heights):
+        """a panel with a bar for each place in [0, 1]; heights are in percent"""
+        table = vtk.vtkTable()
+        for name, values in ((name_of_places, places), (name_of_heights, heights)):
+            column = numpy_to_vtk(np.asarray(values, dtype=float), deep=True)
+            column.SetName(name)
+            table.AddColumn(column)
+        chart = vtk.vtkChartXY()
+        bars = chart.AddPlot(vtk.vtkChart.BAR)
+        bars.SetInputData(table, 0, 1)
+        bars.SetColor(*QUALITY_COLORS[-1])
+        top = 10 * np.ceil(np.max(heights) / 10)
+        for place, name, end in ((vtk.vtkAxis.BOTTOM, name_of_places, 1), (vtk.vtkAxis.LEFT, name_of_heights, top)):
+            axis = chart.GetAxis(place)
+            axis.SetTitle(name)
+            axis.SetRange(0, end)
+            axis.SetBehavior(vtk.vtkAxis.FIXED)
+            axis.SetNumberOfTicks(11)
+            axis.SetTickLabelAlgorithm(vtk.vtkAxis.TICK_SIMPLE)
+            for style in (axis.GetTitleProperties(), axis.GetLabelProperties()):
+                style.SetFontSize(17 * SUPERSAMPLING)
+                style.BoldOff()
+        actor = vtk.vtkContextActor()
+        actor.GetScene().AddItem(chart)
+        renderer = vtk.vtkRenderer()
+        renderer.SetBackground(1, 1, 1)
+        renderer.AddActor(actor)
+        actor.GetScene().SetRenderer(renderer)
         self.window.AddRenderer(renderer)
         self.renderers.append(renderer)
 

@@ -114,8 +114,18 @@ void test_untangling(int holes, double edge, double amplitude) {
          again.points == block.hexahedra.points);
 }
 
+double distance_to_boundary(const Object<Kernel>& object, const Point_3& p) {
+  double nearest = std::numeric_limits<double>::infinity();
+  for (VMP::Facet_index f : object.boundary_facets()) {
+    const auto t = object.vertices(f);
+    const Kernel::Triangle_3 triangle(object.point(t[0]), object.point(t[1]), object.point(t[2]));
+    nearest = std::min(nearest, CGAL::squared_distance(p, triangle));
+  }
+  return std::sqrt(nearest);
+}
+
 // A square made round: its four vertical edges vanish in a smooth wall, where corners are nearly flat. A higher target
-// gives a better worst corner.
+// gives a better worst corner; that nodes may leave the surface, better ones, near to it.
 void test_smooth_wall() {
   const auto round = [](const Point_3& p) {
     const double x = p.x() / 1.5 - 1, y = p.y() / 1.5 - 1;
@@ -131,13 +141,20 @@ void test_smooth_wall() {
   double least = start;
   for (double target : {0., 1.}) {
     Hexahedra<Kernel> hexahedra = block.hexahedra;
-    assert(VMP::optimize_hexahedra(object, hexahedra, {100, target}).ok());
+    assert(VMP::optimize_hexahedra(object, hexahedra, {100, target, 0}).ok());
     check_carriers<Kernel>(object, hexahedra);
     const VMP::Hexahedra_report report = VMP::verify_hexahedra(hexahedra);
     assert(report.is_valid() && report.minimum_scaled_jacobian > least);
     least = report.minimum_scaled_jacobian;
   }
   assert(least > 0.35 && least > start + 0.1);
+  assert(VMP::optimize_hexahedra(object, block.hexahedra, {100, 1.}).ok());
+  const VMP::Hexahedra_report report = VMP::verify_hexahedra(block.hexahedra);
+  assert(report.is_valid() && report.minimum_scaled_jacobian > least + 0.05);
+  double farthest = 0;
+  for (const VMP::Labelled_quadrilateral& q : block.hexahedra.facets)
+    for (std::size_t v : q.vertices) farthest = std::max(farthest, distance_to_boundary(object, block.hexahedra.points[v]));
+  assert(farthest > 1e-3 && farthest < 0.35 * 0.5);
 }
 
 // Boxes cannot be better, and are left to the bit; so is everything if there are no sweeps.

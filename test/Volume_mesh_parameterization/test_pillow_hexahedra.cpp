@@ -98,6 +98,14 @@ void check_irregular_edges(const Hexahedra<K>& mesh, std::size_t size_before, st
   assert(count == irregular_edges && count > 0);
 }
 
+VMP::Hexahedra_optimization with_pillow() {
+  VMP::Hexahedra_optimization options;
+  options.most_sweeps = 50;
+  options.surface_tolerance = 0;
+  options.slides_over_smooth_rims = true;
+  return options;
+}
+
 template <typename K>
 void test_block(int holes, double edge) {
   const Hexahedra<K> old = grid<K>(holes, edge);
@@ -120,7 +128,7 @@ void test_block(int holes, double edge) {
 
   VMP::Compact_tetrahedral_mesh_3<K> object;
   assert(object.assign(Block_with_holes<typename K::Point_3>(holes, 1, 1, height).soup()).ok());
-  assert(VMP::optimize_hexahedra(object, mesh, {50, 0.4, true}).ok());
+  assert(VMP::optimize_hexahedra(object, mesh, with_pillow()).ok());
   const VMP::Hexahedra_report after = VMP::verify_hexahedra(mesh);
 
   assert(after.is_valid() && after.minimum_scaled_jacobian > 0.4 && after.mean_scaled_jacobian > 0.6);
@@ -141,7 +149,7 @@ void test_ball() {
   Hexahedra<Kernel> mesh = transformed(grid<Kernel>(0, 0.25), round);
   const std::vector<VMP::Labelled_quadrilateral> old_facets = mesh.facets;
   assert(VMP::pillow_hexahedra(mesh).ok());
-  assert(VMP::optimize_hexahedra(object, mesh, {50, 0.5, true}).ok());
+  assert(VMP::optimize_hexahedra(object, mesh, with_pillow()).ok());
   const VMP::Hexahedra_report report = VMP::verify_hexahedra(mesh);
   assert(report.is_valid() && report.minimum_scaled_jacobian > 0.4 && report.mean_scaled_jacobian > 0.8);
   for (std::size_t q = 0; q < old_facets.size(); ++q)

@@ -328,6 +328,41 @@ test_pillow() {
   run 0 verify pillow
 }
 
+# From a result, again and in another size; not from what is no result, or not that of a prism.
+test_remeshing() {
+  local name
+  run 0 parameterize block.mesh -o mapped
+  [ -e mapped/parameter.mesh ] || return 0
+  run 2 hexahedra mapped -o again
+  run 2 hexahedra mapped --hexes 200
+  run 0 hexahedra mapped -o again --hexes 200
+  [ ! -s errors ] || fail "a good run is not silent"
+  for name in hex.mesh report.json; do
+    [ -s "again/$name" ] || fail "$name is missing"
+  done
+  run 0 verify again
+  run 0 hexahedra mapped -o again --hexes 400 --pillow --hex-format vtu
+  grep -q '"pillow": true' again/report.json || fail "the report does not say that there is a pillow"
+  [ -s again/hex.vtu ] && [ ! -e again/hex.mesh ] || fail "an earlier hex.mesh is left"
+
+  run 1 hexahedra mapped -o mapped --hexes 200
+  says_why mapped 'it is the input'
+  [ -s mapped/object.mesh ] || fail "the input was touched"
+  run 1 hexahedra no-such-folder -o again --hexes 200
+  says_why no-such-folder 'no object.mesh'
+  cp -r mapped spoilt
+  cp block.mesh spoilt/parameter.mesh
+  run 1 hexahedra spoilt -o again --hexes 200
+  says_why spoilt 'other vertices'
+  awk '/Tetrahedra|Triangles/ { others = 1 } NF == 4 && !others { $1 += $3 } { print }' mapped/parameter.mesh >spoilt/parameter.mesh
+  run 1 hexahedra spoilt -o again --hexes 200
+  says_why spoilt 'prism'
+  rm spoilt/parameter.mesh
+  run 1 hexahedra spoilt -o again --hexes 200
+  says_why spoilt 'no parameter.mesh'
+  [ "$(ls -A again)" = report.json ] || fail "a refused result left $(ls -A again)"
+}
+
 # Each format has its file and no other; programs that are there can read it. In the straight block the temperature is
 # linear, but for hexahedra that cut off a bit of its edges: CalculiX and the tetrahedra agree well.
 test_hexahedra_formats() {
@@ -438,6 +473,7 @@ test_table
 test_given_domain
 test_polycubes
 test_pillow
+test_remeshing
 test_hexahedra_formats
 test_threads
 test_partition

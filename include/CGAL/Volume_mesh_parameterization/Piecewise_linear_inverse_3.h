@@ -41,12 +41,17 @@ public:
   Piecewise_linear_inverse_3(const Piecewise_linear_inverse_3&) = delete;
   Piecewise_linear_inverse_3& operator=(const Piecewise_linear_inverse_3&) = delete;
 
-  /// prepares the search for tetrahedra, and keeps a reference to `map`. Complexity: \f$ O(n \log n) \f$.
+  /// prepares the search for tetrahedra, and keeps a reference to the mesh of `map`. Complexity: \f$ O(n \log n) \f$.
   /// \pre `map.is_valid()`
-  Status build(const Map& map) {
-    Tetrahedron_soup_3<Point_3> soup = make_soup(map.mesh());
-    soup.points = map.images();
-    m_map = &map;
+  Status build(const Map& map) { return build(map.mesh(), map.images()); }
+
+  /// prepares the search for tetrahedra of a map that is known by its images, and keeps a reference to `solid`. Complexity:
+  /// \f$ O(n \log n) \f$.
+  /// \pre `verify_map(solid, images).is_bijective()`
+  Status build(const Mesh& solid, const std::vector<Point_3>& images) {
+    Tetrahedron_soup_3<Point_3> soup = make_soup(solid);
+    soup.points = images;
+    m_solid = &solid;
     const Status status = m_domain.assign(soup);
     if (status.ok()) m_locator.emplace(m_domain);
     return status;
@@ -67,13 +72,13 @@ public:
       Location place;
       const Status status = preimage(Point_3(foot.x(), foot.y(), share * height), place);
       if (!status.ok()) return status;
-      points.push_back(place.point(m_map->mesh()));
+      points.push_back(place.point(*m_solid));
     }
     return {};
   }
 
 private:
-  const Map* m_map = nullptr;
+  const Mesh* m_solid = nullptr;
   Mesh m_domain;
   std::optional<Cell_locator_3<GeomTraits>> m_locator;
 };

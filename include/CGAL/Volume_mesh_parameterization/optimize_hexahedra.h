@@ -39,15 +39,13 @@ tells `optimize_hexahedra()` how far to go.
 */
 struct Hexahedra_optimization {
   int most_sweeps =
-      100; ///< over all nodes, in each of at most nine passes; a node takes part while one around it moves
-  double target = 0.3; ///< the least scaled Jacobian for which even sizes and the mean are given up
-  double second_target =
-      0.5; ///< the least scaled Jacobian that is aimed at as long as the mean does not suffer
-  /// how far a node may leave its patch or rim, as a share of the edges around, where hexahedra are inverted or flat otherwise
-  double surface_tolerance = 0.1;
-  /// how far the middles of boundary quadrilaterals and of their sides may get from the surface, in mean sides, unless they were
+      100; ///< over all nodes, in each of some dozens of passes; a node takes part while one around it moves
+  double target = 0.5; ///< the least scaled Jacobian for which even sizes and the mean are given up
+  /// how far a node may leave its patch or rim, as a share of the edges around, where the target is not reached otherwise
+  double surface_tolerance = 0.35;
+  /// how far the boundary and the surface may be from each other, in mean sides of boundary quadrilaterals, unless they were
   /// farther in the beginning
-  double greatest_distance = 0.4;
+  double greatest_distance = 0.5;
   /// whether nodes of a rim, where that is no crease, may leave it for the patches at its sides, and nodes of these may
   /// cross it
   bool slides_over_smooth_rims = false;
@@ -143,12 +141,13 @@ Hexahedra_grade grade_hexahedra(const Compact_tetrahedral_mesh_3<GeomTraits>& ob
 
 moves the nodes of a hexahedral mesh so that no hexahedron is inverted and the least scaled Jacobian is large. Nodes in
 the interior are free; those on a patch of the boundary stay on it, and those on the rim between two patches on that rim,
-up to rounding. Where the surface is smooth at a rim, so that hexahedra remain inverted or flat, their nodes leave patch and rim
-by no more than `surface_tolerance`. With `slides_over_smooth_rims`, rims count only where the surface has a crease; elsewhere nodes move on
-the patches of both sides as on one, and labels tell where nodes were, not where they are.
+up to rounding. Where hexahedra fall short of `target` then, as they do where the surface is smooth at a rim, their nodes leave
+patch and rim, as little as suffices and by no more than `surface_tolerance`. With `slides_over_smooth_rims`, rims count only
+where the surface has a crease; elsewhere nodes move on the patches of both sides as on one, and labels tell where nodes were,
+not where they are.
 
-The boundary stays near to the surface: the middles of quadrilaterals and of their sides get no farther from it than
-`greatest_distance`, and where vertices of the surface are farther than that from the quadrilaterals, at tips and at creases
+The boundary stays near to the surface: the middles of quadrilaterals and of their sides get no farther from it than four
+fifths of `greatest_distance`, and where vertices of the surface are too far from the quadrilaterals, at tips and at creases
 inside a patch, the nearest nodes are drawn there, as far as hexahedra remain good.
 
 Nothing warrants that no hexahedron is inverted in the end: where the solid is smooth at a rim, the scaled Jacobian is small,
@@ -177,8 +176,7 @@ labels, which the boundary of `object` does not have; `ERROR_EMPTY_MESH`, `ERROR
 template <typename ConcurrencyTag = Sequential_tag, typename GeomTraits, typename Point>
 Status optimize_hexahedra(const Compact_tetrahedral_mesh_3<GeomTraits>& object,
                           Hexahedron_soup_3<Point>& hexahedra, const Hexahedra_optimization& options = {}) {
-  if (options.most_sweeps < 0 || !(options.target <= 1) || !(options.second_target <= 1) ||
-      !(options.surface_tolerance < 1) || !(options.greatest_distance > 0))
+  if (options.most_sweeps < 0 || !(options.target <= 1) || !(options.surface_tolerance < 1) || !(options.greatest_distance > 0))
     return {ERROR_WRONG_PARAMETER, "the options"};
   const Hexahedra_report before = verify_hexahedra(hexahedra);
   for (Error_code code : {ERROR_EMPTY_MESH, ERROR_INDEX_OUT_OF_RANGE, ERROR_COORDINATE_NOT_FINITE})
@@ -197,7 +195,7 @@ Status optimize_hexahedra(const Compact_tetrahedral_mesh_3<GeomTraits>& object,
   internal::Surface_watch watch(internal::carried_quadrilaterals(carriers, hexahedra),
                                 internal::surface_vertices(object), nodes, options.greatest_distance);
   internal::Hexahedra_optimizer<ConcurrencyTag> optimizer(nodes, hexahedra.hexahedra, carrier_of_node, std::move(watch));
-  optimizer.run(options.most_sweeps, options.target, options.second_target, options.surface_tolerance);
+  optimizer.run(options.most_sweeps, options.target, options.surface_tolerance);
 
   Hexahedron_soup_3<Point> result = hexahedra;
   for (std::size_t v = 0; v < nodes.size(); ++v) {

@@ -63,20 +63,22 @@ public:
 
   // First with fixed rest lengths, which untangles and spreads the nodes. Then with the edges' own lengths as rest
   // lengths: only angles count, for by the inequality of means the energy is a bound, which the present nodes attain, for
-  // the same function of the scaled Jacobian. What is flat to the end may leave its carrier by a `tolerance`, a share of the
-  // edges around.
-  void run(int most_sweeps, double target, double second_target, double tolerance) {
-    constexpr double flat = 0.1;
+  // the same function of the scaled Jacobian. What of the surface is left out is covered as long as that helps.
+  void run(int most_sweeps, double target, double tolerance) {
+    constexpr int most_rounds = 3;
     m_most_sweeps = most_sweeps;
     m_rest_lengths = smooth_edge_lengths(m_nodes, m_hexahedra);
     spread();
-    int passes = raise_least(target);
-    if (tolerance > 0) leave_carriers((std::min)(flat, target), tolerance);
-    if (cover_surface()) passes += raise_least(target);
-    raise_mean(target);
-    constexpr int few = 2; // passes; else it would cost the mean
-    if (second_target > target && passes <= few && least_scaled_jacobian() >= target)
-      aim_higher(second_target);
+    straighten(target, tolerance);
+    std::vector<Vector> best_nodes = m_nodes;
+    Grade best = grade(target);
+    for (int round = 0; round < most_rounds && cover_surface(); ++round) {
+      straighten(target, tolerance);
+      if (!(grade(target) < best)) break;
+      best = grade(target);
+      best_nodes = m_nodes;
+    }
+    m_nodes = std::move(best_nodes);
   }
 
   const std::vector<Vector>& nodes() const { return m_nodes; }
@@ -93,12 +95,18 @@ private:
     m_has_rest_lengths = false;
   }
 
+  void straighten(double target, double tolerance) {
+    raise_least(target);
+    if (tolerance > 0) leave_carriers(target, tolerance);
+    raise_mean(target);
+  }
+
   // Draws nodes to what of the surface is too far from the hexahedra; those that do not arrive are free again. Returns
   // whether there was any such place, unless hexahedra are inverted, which matters more.
   bool cover_surface() {
     constexpr int most_rounds = 8, power = 2;
     constexpr double volume_weight = 0.2, least_gain = 1e-2, good = 0.15;
-    if (badness().first > 0) return false;
+    if (badness(1).first > 0) return false;
     m_least_allowed = (std::min)(good, least_scaled_jacobian());
     int round = 0;
     for (; round < most_rounds; ++round) {
@@ -116,23 +124,26 @@ private:
 
   bool is_at_place(std::size_t v) const { return m_places[v] && *m_places[v] == m_nodes[v]; }
 
-  // The power grows until `target` is reached, or is not worth it. Returns the number of passes.
-  int raise_least(double target) {
-    constexpr int powers[] = {2, 4, 8, 16, 32};
-    constexpr double volume_weight = 0.2, least_gain = 1e-2;
-    int passes = 0;
+  // The power grows until `target` is reached, or that does not help. On the way the worst may become worse, but not flat:
+  // the energy of a flat corner is finite. What is good at once is smoothed a little nevertheless.
+  void raise_least(double target) {
+    constexpr int powers[] = {2, 4, 8, 16, 32}, fewest_sweeps = 10;
+    constexpr double volume_weight = 0.2, least_gain = 1e-2, least_share = 0.5;
+    std::vector<Vector> best_nodes = m_nodes;
+    Badness least = badness(target);
     for (int power : powers) {
-      const std::vector<Vector> old_nodes = m_nodes;
-      const Badness old_badness = badness();
-      run_pass({power, volume_weight}, least_gain, target);
-      ++passes;
-      if (least_scaled_jacobian() >= target) break;
-      if (passes == 1 || badness() < old_badness) continue;
-      m_nodes = old_nodes;
-      break;
+      m_least_allowed = least.first > 0 ? -1 : -least_share * least.second;
+      run_pass({power, volume_weight}, least_gain, target, power == powers[0] ? fewest_sweeps : 0);
+      const bool is_worse = least < badness(target);
+      if (!is_worse) {
+        least = badness(target);
+        best_nodes = m_nodes;
+      }
+      if (least_scaled_jacobian() >= target || (is_worse && power > powers[0])) break;
     }
+    m_least_allowed = -1;
+    m_nodes = std::move(best_nodes);
     look_at_all();
-    return passes;
   }
 
   // The mean is looked after as long as a sweep raises it notably, and the worst hexahedra only kept from becoming worse than
@@ -152,40 +163,24 @@ private:
   }
 
   // On a smooth surface a hexahedron with two facets there is flat at the edge between them, and inverted where the surface is
-  // concave. Nodes of those that are less than `flat` may leave the surface, a little.
-  void leave_carriers(double flat, double tolerance) {
-    constexpr int most_rounds = 6, powers[] = {2, 8, 16};
+  // concave. Nodes of those that are worse than `target` may leave the surface, a little farther in each round.
+  void leave_carriers(double target, double tolerance) {
+    constexpr int most_rounds = 5, powers[] = {2, 8, 16}, fewest_sweeps = 10;
     constexpr double volume_weight = 0.2, least_gain = 1e-2;
     std::vector<Vector> best_nodes = m_nodes;
-    Badness least = badness();
-    for (int round = 0; round < most_rounds && (least.first > 0 || -least.second < flat); ++round) {
+    Badness least = badness(target);
+    for (int round = 0; round < most_rounds && (least.first > 0 || -least.second < target); ++round) {
       for (std::size_t h = 0; h < m_hexahedra.size(); ++h)
-        if (m_inverted[h] || m_qualities[h] < flat)
-          for (std::size_t v : m_hexahedra[h]) m_slacks[v] = tolerance * mean_edge(v);
+        if (m_inverted[h] || m_qualities[h] < target)
+          for (std::size_t v : m_hexahedra[h]) m_slacks[v] = tolerance * (round + 1) / most_rounds * mean_edge(v);
       if (round % 2 == 1 && least.first > 0) spread();
-      for (int power : powers) run_pass({power, volume_weight}, least_gain);
+      for (int power : powers) run_pass({power, volume_weight}, least_gain, target, fewest_sweeps);
       look_at_all();
-      const bool is_better = badness() < least;
-      if (!is_better && least.first == 0) break; // more of the same does not help
-      if (!is_better) continue;
-      least = badness();
+      if (!(badness(target) < least)) continue;
+      least = badness(target);
       best_nodes = m_nodes;
     }
-    m_nodes = best_nodes;
-    look_at_all();
-  }
-
-  // As long as the mean does not suffer, of which a tenth is worth as much as the least.
-  void aim_higher(double target) {
-    constexpr double greatest_loss = 0.005;
-    const std::vector<Vector> old_nodes = m_nodes;
-    const double old_mean = mean_scaled_jacobian();
-    const Badness old_badness = badness();
-    raise_least(target);
-    raise_mean(target);
-    const double loss = old_mean - mean_scaled_jacobian();
-    if (badness() < old_badness && loss <= (std::min)(greatest_loss, (old_badness.second - badness().second) / 10)) return;
-    m_nodes = old_nodes;
+    m_nodes = std::move(best_nodes);
     look_at_all();
   }
 
@@ -243,19 +238,28 @@ private:
     m_watch.start(m_nodes);
   }
 
-  // What is to be lessened: the number of inverted hexahedra, then the opposite of the least scaled Jacobian.
+  // What is to be lessened: the number of inverted hexahedra, then the opposite of the least scaled Jacobian up to `target`.
   using Badness = std::pair<std::ptrdiff_t, double>;
-  Badness badness() const {
-    return {std::count(m_inverted.begin(), m_inverted.end(), 1), -least_scaled_jacobian()};
+  Badness badness(double target) const {
+    return {std::count(m_inverted.begin(), m_inverted.end(), 1), -(std::min)(target, least_scaled_jacobian())};
+  }
+
+  // The lower the better: the number of inverted hexahedra; what the least scaled Jacobian lacks and the distance of the
+  // surface exceeds; the opposite of the mean.
+  using Grade = std::tuple<std::ptrdiff_t, double, double>;
+  Grade grade(double target) const {
+    const Badness b = badness(target);
+    return {b.first, target + b.second + m_watch.excess(m_nodes), -mean_scaled_jacobian()};
   }
 
   // Steps.
 
-  // Ends when all scaled Jacobians are at least `enough`.
-  void run_pass(Corner_energy energy, double least_gain, double enough = 1) {
+  // Ends when all scaled Jacobians are at least `enough`, after the fewest sweeps.
+  void run_pass(Corner_energy energy, double least_gain, double enough = 1, int fewest_sweeps = 0) {
     start_pass(energy);
     int number = 0;
-    while (number < m_most_sweeps && least_scaled_jacobian() < enough && sweep(number, least_gain)) ++number;
+    const auto goes_on = [&] { return number < fewest_sweeps || least_scaled_jacobian() < enough; };
+    while (number < m_most_sweeps && goes_on() && sweep(number, least_gain)) ++number;
   }
 
   void start_pass(Corner_energy energy) {

@@ -51,16 +51,19 @@ class Surface_watch {
   using Nodes = std::vector<Vector>;
 
 public:
-  // `greatest_distance` is what is enough, in mean lengths of the sides. Then start().
+  // `greatest_distance` is in mean lengths of the sides, and a little of it is kept in reserve. Then start().
   Surface_watch(std::vector<Carried_quadrilateral> boundary, Nodes surface_vertices, const Nodes& nodes,
                 double greatest_distance)
       : m_boundary(std::move(boundary)),
         m_surface_vertices(std::move(surface_vertices)),
         m_stars(nodes.size(), m_boundary.size(), [this](std::size_t q) { return m_boundary[q].nodes; }) {
+    constexpr double enough = 0.8, too_far = 0.95; // other points are farther than middles; sides become shorter
     double length = 0;
     for (const Carried_quadrilateral& q : m_boundary)
       for (int i = 0; i < 4; ++i) length += (nodes[q.nodes[i]] - nodes[q.nodes[(i + 1) % 4]]).norm();
-    m_enough = greatest_distance * length / (4. * double(m_boundary.size()));
+    m_side = length / (4. * double(m_boundary.size()));
+    m_enough = enough * greatest_distance * m_side;
+    m_too_far = too_far * greatest_distance * m_side;
   }
 
   // Takes the present distances for those that may be.
@@ -90,27 +93,47 @@ public:
   // Vertices of the surface that are too far from the quadrilaterals, each with a node of the nearest quadrilateral and
   // the point of its carrier there; for each node the farthest.
   std::vector<Drawn_node> nodes_to_draw(const Nodes& nodes, const std::vector<Carriers_3::Handle>& carriers) const {
-    const Triangles triangles = quarters(nodes);
-    const Tree tree(triangles.cbegin(), triangles.cend());
-    std::vector<std::pair<double, Vector>> farthest(nodes.size(), {m_enough, Vector::Zero()});
-    for (const Vector& p : m_surface_vertices) {
-      const auto foot = tree.closest_point_and_primitive(to_point(p));
-      const double distance = std::sqrt(CGAL::squared_distance(to_point(p), foot.first));
-      if (!(distance > m_enough)) continue;
-      const auto& q = m_boundary[std::size_t(foot.second - triangles.cbegin()) / 4].nodes;
-      const std::optional<Drawn_node> d = node_to_draw(q, p, nodes, carriers);
-      if (d && distance > farthest[d->node].first) farthest[d->node] = {distance, d->place};
+    std::vector<std::pair<double, Vector>> farthest(nodes.size(), {m_too_far, Vector::Zero()});
+    for (const Left_out& l : left_out(nodes)) {
+      const std::optional<Drawn_node> d = node_to_draw(m_boundary[l.quadrilateral].nodes, l.vertex, nodes, carriers);
+      if (d && l.distance > farthest[d->node].first) farthest[d->node] = {l.distance, d->place};
     }
     std::vector<Drawn_node> result;
     for (std::size_t v = 0; v < nodes.size(); ++v)
-      if (farthest[v].first > m_enough) result.push_back({v, farthest[v].second});
+      if (farthest[v].first > m_too_far) result.push_back({v, farthest[v].second});
     return result;
+  }
+
+  // How much farther than is allowed the vertices of the surface are, in mean sides.
+  double excess(const Nodes& nodes) const {
+    double greatest = m_too_far;
+    for (const Left_out& l : left_out(nodes)) greatest = (std::max)(greatest, l.distance);
+    return (greatest - m_too_far) / m_side;
   }
 
 private:
   using Kernel = Simple_cartesian<double>;
   using Triangles = AABB_types<Kernel>::Triangles;
   using Tree = AABB_types<Kernel>::Tree<AABB_types<Kernel>::Triangle_primitive>;
+
+  // A vertex of the surface that is too far from the quadrilaterals, and the nearest of them.
+  struct Left_out {
+    Vector vertex;
+    double distance;
+    std::size_t quadrilateral;
+  };
+
+  std::vector<Left_out> left_out(const Nodes& nodes) const {
+    const Triangles triangles = quarters(nodes);
+    const Tree tree(triangles.cbegin(), triangles.cend());
+    std::vector<Left_out> result;
+    for (const Vector& p : m_surface_vertices) {
+      const auto foot = tree.closest_point_and_primitive(to_point(p));
+      const double distance = std::sqrt(CGAL::squared_distance(to_point(p), foot.first));
+      if (distance > m_too_far) result.push_back({p, distance, std::size_t(foot.second - triangles.cbegin()) / 4});
+    }
+    return result;
+  }
 
   static Kernel::Point_3 to_point(const Vector& p) { return {p.x(), p.y(), p.z()}; }
 
@@ -157,7 +180,8 @@ private:
   Nodes m_surface_vertices;
   Incidence_lists<std::size_t, std::size_t> m_stars; // the quadrilaterals around each node
   std::vector<double> m_greatest;                    // distance that each quadrilateral may have
-  double m_enough = 0;
+  double m_side = 0;                                 // the mean length in the beginning
+  double m_enough = 0, m_too_far = 0;                // for middles, for vertices of the surface
 };
 
 } // namespace internal
