@@ -13,6 +13,7 @@
 #include <CGAL/Volume_mesh_parameterization/Piecewise_linear_map_3.h>
 #include <CGAL/Volume_mesh_parameterization/verify_map.h>
 
+#include <algorithm>
 #include <cmath>
 #include <iostream>
 #include <limits>
@@ -56,7 +57,10 @@ class Parameterization {
 
 public:
   explicit Parameterization(const Parameterize_options& options)
-      : m_options(options), m_folder(options.folder), m_clock(options.quiet), m_partitions(options.input, m_clock) {}
+      : m_options(options),
+        m_folder(options.folder),
+        m_clock(options.quiet),
+        m_partitions(options.input, m_clock) {}
 
   int run() {
     const Status writable = m_folder.create(m_options.input.file);
@@ -112,33 +116,57 @@ private:
     return floor_map->label_boundary(input.mesh);
   }
 
-  // With the first partition whose boundary map has little energy, or with the one that has least.
+  // With the first partition whose boundary map has little energy, or with the one that has least; with another one where that
+  // leads to no piecewise linear map.
   Status map_solid() {
-    constexpr double good = 8; // the maps of all solids with less extended inside; 4 is that of an isometry
+    constexpr double good = 8; // the maps of most solids with less extended inside; 4 is that of an isometry
     constexpr int most_attempts = 6;
     std::optional<FloorMap> floor_map;
+    std::vector<Attempt_pointer> attempts;
     Status status;
-    for (int k = 0; k < most_attempts && (k == 0 || is_worth_another(good)); ++k) {
-      Input input = k == 0 ? Input() : m_attempt->input;
+    for (int k = 0; k < most_attempts && (k == 0 || is_worth_another(attempts, good)); ++k) {
+      Input input = k == 0 ? Input() : attempts[0]->input;
       status = load(input, floor_map);
       if (!status.ok()) break;
       const std::string prefix = k == 0 ? "" : "partition " + std::to_string(k + 1) + ": ";
-      auto attempt = std::make_unique<Attempt>(std::move(input), *floor_map);
-      map(*attempt, prefix);
-      report_attempt(*attempt);
-      status = attempt->status;
-      if (!m_attempt || attempt->energy() < m_attempt->energy()) m_attempt = std::move(attempt);
+      attempts.push_back(std::make_unique<Attempt>(std::move(input), *floor_map));
+      map(*attempts.back(), prefix);
+      report_attempt(*attempts.back());
+      status = attempts.back()->status;
       if (status.code() == VMP::ERROR_CANCELLED) break;
     }
-    if (status.code() == VMP::ERROR_CANCELLED || !m_attempt) return status;
-    if (m_attempt->status.ok() && is_linear_wanted()) m_linear_status = make_linear();
+    if (status.code() == VMP::ERROR_CANCELLED || attempts.empty()) return status;
+    choose(std::move(attempts));
     m_clock.finish();
     report_input(m_attempt->input);
     return m_linear_status.code() == VMP::ERROR_CANCELLED ? m_linear_status : m_attempt->status;
   }
 
-  bool is_worth_another(double good) const {
-    return m_attempt->input.chosen && is_linear_wanted() && !(m_attempt->energy() <= good);
+  using Attempt_pointer = std::unique_ptr<Attempt>;
+
+  static bool has_less_energy(const Attempt_pointer& a, const Attempt_pointer& b) {
+    return a->energy() < b->energy();
+  }
+
+  bool is_worth_another(const std::vector<Attempt_pointer>& attempts, double good) const {
+    const auto best = std::min_element(attempts.begin(), attempts.end(), has_less_energy);
+    return attempts[0]->input.chosen && is_linear_wanted() && !((*best)->energy() <= good);
+  }
+
+  // The one with the least energy of those that lead to a piecewise linear map, if there is one; a few are tried.
+  void choose(std::vector<Attempt_pointer> attempts) {
+    constexpr std::size_t most_maps = 3;
+    std::stable_sort(attempts.begin(), attempts.end(), has_less_energy);
+    for (std::size_t k = 0; k < attempts.size() && k < most_maps; ++k) {
+      VMP::Piecewise_linear_map_3<Kernel> linear;
+      const Status status =
+          attempts[k]->status.ok() && is_linear_wanted() ? make_linear(*attempts[k], linear) : Status();
+      if (k > 0 && !linear.is_valid() && status.code() != VMP::ERROR_CANCELLED) continue;
+      m_attempt = std::move(attempts[k]);
+      m_linear = std::move(linear);
+      m_linear_status = status;
+      if (m_linear.is_valid() || !is_linear_wanted() || status.code() == VMP::ERROR_CANCELLED) return;
+    }
   }
 
   bool is_linear_wanted() const { return m_options.field != Field::FLUX; }
@@ -147,7 +175,8 @@ private:
     using Tag = CGAL::Parallel_if_available_tag;
     const auto type = m_options.field == Field::FLUX ? VMP::FLUX_CURVES : VMP::CERTIFIED_CURVES;
     const Clock_visitor visitor(m_clock, prefix_of_stages);
-    attempt.status = attempt.parameterizer.template run<Tag>(attempt.input.mesh, VMP::parameters::curve_type(type).visitor(visitor));
+    attempt.status = attempt.parameterizer.template run<Tag>(
+        attempt.input.mesh, VMP::parameters::curve_type(type).visitor(visitor));
     if (!attempt.status.ok() || !is_linear_wanted()) return;
     m_clock.start(prefix_of_stages + "map the boundary");
     attempt.boundary_status = attempt.parameterizer.template map_boundary<Tag>(attempt.boundary);
@@ -166,20 +195,24 @@ private:
     if (m_options.boundary_map.empty()) report["partition"] = input.has_labels ? "labels" : "auto";
     if (input.chosen) report["chosen_partition"] = report_candidate(*input.chosen);
     report["kind"] = input.is_surface ? "surface" : "tetrahedra";
-    if (input.number_of_triangles > 0) report["triangles_after_cutting_thin_ones"] = input.number_of_triangles;
+    if (input.number_of_triangles > 0)
+      report["triangles_after_cutting_thin_ones"] = input.number_of_triangles;
     report["tetrahedra"] = input.mesh.number_of_cells();
   }
 
-  Status make_linear() {
-    if (!m_attempt->boundary_status.ok()) return m_attempt->boundary_status;
+  Status make_linear(const Attempt& attempt, VMP::Piecewise_linear_map_3<Kernel>& linear) {
+    if (!attempt.boundary_status.ok()) return attempt.boundary_status;
     m_clock.start("untangle");
     Clock_visitor visitor(m_clock);
-    const Parameterizer& p = m_attempt->parameterizer;
-    return m_linear.build(p.mesh(), p.product_structure()->order(), m_attempt->boundary, p.vertex_images(), visitor);
+    const Parameterizer& p = attempt.parameterizer;
+    return linear.build(p.mesh(), p.product_structure()->order(), attempt.boundary, p.vertex_images(),
+                        visitor);
   }
 
   // The mesh that is written, and the order in which its cells are swept.
-  const Mesh& object() const { return m_linear.is_valid() ? m_linear.mesh() : m_attempt->parameterizer.mesh(); }
+  const Mesh& object() const {
+    return m_linear.is_valid() ? m_linear.mesh() : m_attempt->parameterizer.mesh();
+  }
   const std::vector<VMP::Cell_index>& order() const {
     return m_linear.is_valid() ? m_linear.order() : m_attempt->parameterizer.product_structure()->order();
   }
@@ -275,9 +308,10 @@ private:
     const std::vector<Point_3>& images = m_linear.is_valid() ? m_linear.images() : fields.images;
     m_report["certificates"]["piecewise_linear"] = is_linear;
     m_report["distortion"] = report_distortion(VMP::measure_distortion(object(), images));
-    m_report["piecewise_linear_map"] = {{"status", report_status(m_linear_status)},
-                                        {"untangling", report_untangling(m_linear.report())},
-                                        {"tetrahedra_before", m_attempt->parameterizer.mesh().number_of_cells()}};
+    m_report["piecewise_linear_map"] = {
+        {"status", report_status(m_linear_status)},
+        {"untangling", report_untangling(m_linear.report())},
+        {"tetrahedra_before", m_attempt->parameterizer.mesh().number_of_cells()}};
     report_distance_to_phi(images);
     report_lines(*m_attempt->parameterizer.floor_map(), images);
     if (!is_linear && m_not_certified.ok()) m_not_certified = m_linear_status;
@@ -332,7 +366,8 @@ private:
 
   Status write_hexahedra(const VMP::Prism_3<Kernel>&) {
     VMP::Hexahedron_soup_3<Point_3> hexahedra;
-    const Status status = make_hexahedra(m_options.hexahedra, m_attempt->parameterizer, m_linear, m_report, hexahedra);
+    const Status status =
+        make_hexahedra(m_options.hexahedra, m_attempt->parameterizer, m_linear, m_report, hexahedra);
     if (status.ok()) return write_hexahedra_files(m_folder, hexahedra, m_options.hexahedra.formats);
     m_not_certified = status;
     return {};
@@ -341,7 +376,8 @@ private:
   // Steps 3 to 5 of the paper on the same mesh: how many interior vertices arrive at each base.
   void report_paper() {
     const auto& mesh = m_attempt->parameterizer.mesh();
-    const VMP::Averaged_gradient_field_3<Mesh> field(mesh, m_attempt->parameterizer.harmonic_function()->values());
+    const VMP::Averaged_gradient_field_3<Mesh> field(mesh,
+                                                     m_attempt->parameterizer.harmonic_function()->values());
     for (const auto& [name, base] :
          {std::pair<const char*, int>("floor", VMP::FLOOR), {"ceiling", VMP::CEILING}}) {
       const auto interior = field.arrivals(base), wall = field.arrivals_on_walls(base);

@@ -75,7 +75,7 @@ private:
 
   // Bounds on the number of Newton steps of cells: for each cell of a small mesh, for one of some size, for each cell of a
   // big one.
-  static constexpr double most_steps_per_cell = 20000, enough = 2e8, enough_per_cell = 100;
+  static constexpr double most_steps_per_cell = 20000, enough = 5e7, enough_per_cell = 100;
 
   void set_bounds(double cells) {
     constexpr double most_growth = 1.5, most_added_anyway = 20000; // cells
