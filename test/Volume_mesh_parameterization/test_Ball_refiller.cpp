@@ -9,11 +9,13 @@
 
 #include "test_util.h"
 
+#include <array>
 #include <cassert>
 #include <cmath>
 #include <cstdlib>
 #include <iostream>
 #include <random>
+#include <utility>
 #include <vector>
 
 namespace VMP = CGAL::Volume_mesh_parameterization;
@@ -57,11 +59,11 @@ struct Block {
   std::vector<VMP::Cell_index> order;
 };
 
-bool refill(Mapper& mapper) {
+bool refill(Mapper& mapper, std::size_t most_added = 1000) {
   const std::vector<VMP::Cell_index> flipped = mapper.find_flipped();
   VMP::internal::Star_shaped_ball<Kernel> ball(mapper);
   return ball.grow_around(flipped, mapper.neighborhood(flipped, 1), mapper.mesh().number_of_cells()) &&
-         VMP::internal::Ball_refiller<Kernel>(mapper, ball).run();
+         VMP::internal::Ball_refiller<Kernel>(mapper, ball, most_added).run();
 }
 
 // Whatever is inside of a star-shaped surface, all cells are positive afterwards, the surface as before, the order legal. Returns
@@ -95,19 +97,37 @@ void test_cube() {
 }
 
 // The more the radii differ, the more cells fit nowhere: their edges and facets are split.
+struct Spikes {
+  Position operator()(const Position& p) const {
+    const double wave = std::sin(40 * p[0] + seed) * std::sin(50 * p[1]) * std::sin(60 * p[2]);
+    return middle + (least + (1 - least) * std::abs(wave)) * (p - middle);
+  }
+  double least;
+  unsigned seed;
+};
+
 void test_spikes() {
   const Block block(3);
   std::size_t split = 0;
   for (double least : {.7, .4, .2})
-    for (unsigned seed = 0; seed < 4; ++seed)
-      split += test_star(
-          block,
-          [&](const Position& p) -> Position {
-            const double wave = std::sin(40 * p[0] + seed) * std::sin(50 * p[1]) * std::sin(60 * p[2]);
-            return middle + (least + (1 - least) * std::abs(wave)) * (p - middle);
-          },
-          seed);
+    for (unsigned seed = 0; seed < 4; ++seed) split += test_star(block, Spikes{least, seed}, seed);
   assert(split > 0);
+}
+
+// If splits are needed but not allowed, all is as before.
+void test_giving_up() {
+  const Block block(3);
+  std::size_t given_up = 0;
+  for (unsigned seed = 0; seed < 4; ++seed)
+    for (std::size_t most_added : {0, 6}) {
+      std::mt19937 random(seed);
+      Mapper mapper = block.scrambled(Spikes{.2, seed}, random);
+      const std::vector<Position> before = mapper.images();
+      if (refill(mapper, most_added)) continue;
+      ++given_up;
+      assert(mapper.images() == before && mapper.mesh().number_of_cells() == block.mesh.number_of_cells());
+    }
+  assert(given_up > 0);
 }
 
 // A ring that is almost closed is seen whole from nowhere; a few flipped cells in it are refilled all the same.
@@ -153,6 +173,7 @@ int main() {
   test_analytic_centre();
   test_cube();
   test_spikes();
+  test_giving_up();
   test_ring();
   std::cout << "test_Ball_refiller: ok" << std::endl;
   return EXIT_SUCCESS;

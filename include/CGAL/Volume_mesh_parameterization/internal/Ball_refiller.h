@@ -34,7 +34,7 @@ triangulated at all times: by the cells that are placed, and by cones from the c
 left. To place a cell is a bistellar flip of this triangulation:
   - with one facet on the front, it puts its fourth vertex into the cone over this facet: always possible;
   - with two, it replaces two cones by three tetrahedra: possible if the new edge passes behind the common one, as the centre sees
-    it. If not, the new edge is bisected: its midpoint can be put there;
+    it. If not, the new edge is bisected: its midpoint can be put close to the triangle of the centre and the common edge;
   - with three, it replaces three cones by two tetrahedra: possible if the common vertex is above the fourth facet. If not, this
     facet is split: its barycentre can be put behind the vertex;
   - with four, it is the last one.
@@ -48,22 +48,22 @@ public:
   using Position = typename Mapper::Position;
   using Tetrahedron = std::array<Position, 4>;
 
-  Ball_refiller(Mapper& mapper, const Star_shaped_ball<GeomTraits>& ball)
+  // most_added: cells that may be added by splits before the ball is given up
+  Ball_refiller(Mapper& mapper, const Star_shaped_ball<GeomTraits>& ball, std::size_t most_added)
       : m_mapper(mapper),
         m_centre(ball.centre()),
         m_left(ball.cells()),
-        m_states(mesh().number_of_cells(), OUTSIDE),
+        m_cell_states(mesh().number_of_cells(), OUTSIDE),
         m_front(mesh().number_of_cells()),
-        m_places(mapper.images().size(), NONE),
-        m_most_cells(mesh().number_of_cells() + 200 + 2 * ball.cells().size()),
-        m_before(mapper.images()) {
-    for (Cell_index c : m_left) m_states[c] = LEFT;
+        m_vertex_states(mapper.images().size(), WITHOUT_IMAGE),
+        m_most_cells(mesh().number_of_cells() + most_added) {
+    for (Cell_index c : m_left) m_cell_states[c] = REMAINING;
     for (Cell_index c : m_left)
       for (int i = 0; i < 4; ++i) {
         const Cell_index neighbor = mesh().neighbor(c, i);
-        if (neighbor.is_valid() && m_states[neighbor] == LEFT) continue;
+        if (neighbor.is_valid() && m_cell_states[neighbor] == REMAINING) continue;
         m_front[c].set(i);
-        for (int k = 1; k < 4; ++k) m_places[mesh().cell(c)[(i + k) % 4]] = FIXED;
+        for (int k = 1; k < 4; ++k) m_vertex_states[mesh().cell(c)[(i + k) % 4]] = FIXED;
       }
   }
 
@@ -76,7 +76,7 @@ public:
         undo();
         return false;
       }
-      const auto is_placed = [this](Cell_index c) { return m_states[c] == PLACED; };
+      const auto is_placed = [this](Cell_index c) { return m_cell_states[c] == PLACED; };
       m_left.erase(std::remove_if(m_left.begin(), m_left.end(), is_placed), m_left.end());
       if (step % sweep_period == 0) relax(m_inside);
     }
@@ -85,10 +85,10 @@ public:
   }
 
 private:
-  enum Cell_state : std::uint8_t { OUTSIDE, LEFT, PLACED };
-  enum Vertex_place : std::uint8_t { NONE, FIXED, MOVABLE }; // MOVABLE: inside the ball, it has an image
-  // What can be done to a cell that has a facet on the front.
-  enum Move { PLACE, PUT_VERTEX, SPLIT_FACET, SPLIT_EDGE, FREE, NOTHING };
+  enum Cell_state : std::uint8_t { OUTSIDE, REMAINING, PLACED };
+  enum Vertex_state : std::uint8_t { WITHOUT_IMAGE, FIXED, MOVABLE };
+  // What can be done to a cell that has a facet on the front, the best first.
+  enum Move { PLACE, PUT_VERTEX, SPLIT_FACET, SPLIT_EDGE, SPLIT_JOINING, NOTHING };
   using Facets = std::bitset<4>; // of a cell, by the vertices opposite to them
 
   const Splittable_mesh<GeomTraits>& mesh() const { return m_mapper.mesh(); }
@@ -97,7 +97,7 @@ private:
     const auto& v = mesh().cell(c);
     return {v[(i + 1) % 4], v[(i + 2) % 4], v[(i + 3) % 4]};
   }
-  bool has_place(Vertex_index v) const { return m_places[v] != NONE; }
+  bool has_image(Vertex_index v) const { return m_vertex_states[v] != WITHOUT_IMAGE; }
 
   bool advance() {
     Cell_index next;
@@ -117,8 +117,8 @@ private:
 
   Move move_of(Cell_index c) const {
     if (m_front[c].none()) return NOTHING;
-    if (m_front[c].count() == 1 && !has_place(fourth_vertex(c))) return PUT_VERTEX;
-    if (!leaves_ball(c)) return FREE;
+    if (!leaves_ball(c)) return SPLIT_JOINING;
+    if (m_front[c].count() == 1) return PUT_VERTEX;
     if (can_be_placed(c, m_front[c])) return PLACE;
     return m_front[c].count() == 2 ? SPLIT_EDGE : m_front[c].count() == 3 ? SPLIT_FACET : NOTHING;
   }
@@ -134,8 +134,8 @@ private:
       return split_facet(c);
     case SPLIT_EDGE:
       return split_edge(c);
-    case FREE:
-      return free(c);
+    case SPLIT_JOINING:
+      return split_joining(c);
     default:
       return false;
     }
@@ -148,15 +148,16 @@ private:
     return mesh().cell(c)[i];
   }
 
-  // Whether what is left without a cell is a ball, as far as this depends on what else of the cell is on the front.
+  // Whether what is left without a cell is a ball: what the cell adds to the front must not be on it.
   bool leaves_ball(Cell_index c) const {
-    if (m_front[c].count() == 1) return false;
-    const auto [p, q] = edge_between_other_facets(c);
-    return m_front[c].count() > 2 || !is_front_edge(p, q);
+    if (m_front[c].count() == 1) return !has_image(fourth_vertex(c));
+    if (m_front[c].count() > 2) return true;
+    const auto [p, q] = new_edge(c);
+    return !is_front_edge(p, q);
   }
 
   // The vertices opposite to the two facets that are on the front.
-  std::array<Vertex_index, 2> edge_between_other_facets(Cell_index c) const {
+  std::array<Vertex_index, 2> new_edge(Cell_index c) const {
     std::array<Vertex_index, 2> result;
     std::size_t n = 0;
     for (int i = 0; i < 4 && n < 2; ++i)
@@ -180,7 +181,7 @@ private:
   }
 
   void place(Cell_index c) {
-    m_states[c] = PLACED;
+    m_cell_states[c] = PLACED;
     for (int i = 0; i < 4; ++i) {
       if (m_front[c][i]) continue;
       const Cell_index neighbor = mesh().neighbor(c, i);
@@ -191,9 +192,12 @@ private:
   }
 
   void put(Vertex_index v, const Position& image) {
+    if (m_vertex_states[v] == WITHOUT_IMAGE) {
+      m_inside.push_back(v);
+      m_before.push_back(m_mapper.images()[v]);
+    }
+    m_vertex_states[v] = MOVABLE;
     m_mapper.set_image(v, image);
-    if (m_places[v] == NONE) m_inside.push_back(v);
-    m_places[v] = MOVABLE;
   }
 
   // Into the middle of the cone.
@@ -206,10 +210,10 @@ private:
     return true;
   }
 
-  // Behind the edge that is on the front, as the centre and one end of the split edge see it. A cell that has not been placed then
-  // has one facet on the front, and can be placed later.
+  // The midpoint goes close to the triangle of the centre and the edge on the front, on one side of it. A cell that has not been
+  // placed then has one facet on the front, and can be placed later.
   bool split_edge(Cell_index c) {
-    const auto [p, q] = edge_between_other_facets(c);
+    const auto [p, q] = new_edge(c);
     std::vector<Vertex_index> front_edge;
     for (Vertex_index v : mesh().cell(c))
       if (v != p && v != q) front_edge.push_back(v);
@@ -221,15 +225,15 @@ private:
                      second = mesh().cells_around({front_edge[0], front_edge[1], m, q})[0];
     Facets front_then = m_front[second];
     front_then.set(slot(second, q));
-    for (double depth : {.5, .25, .125, .03})
-      for (double share : {.25, .0625, .015, .001}) {
-        m_mapper.set_image(m, m_centre + depth * ((1 - share) * at_edge + share * at_p - m_centre));
-        if (!can_be_placed(first, m_front[first]) || !can_be_placed(second, front_then)) continue;
-        put(m, m_mapper.images()[m]);
-        place(first);
-        place(second);
-        return true;
-      }
+    constexpr double least_share = 1e-6;
+    for (double share = .25; share > least_share; share /= 4) {
+      m_mapper.set_image(m, (m_centre + (1 - share) * at_edge + share * at_p) / 2);
+      if (!can_be_placed(first, m_front[first]) || !can_be_placed(second, front_then)) continue;
+      put(m, m_mapper.images()[m]);
+      place(first);
+      place(second);
+      return true;
+    }
     return true;
   }
 
@@ -243,21 +247,22 @@ private:
     put(m, (m_centre + m_mapper.images()[apex]) / 2);
     const std::vector<Cell_index> children = mesh().cells_around({m, apex});
     for (Cell_index child : children)
-      if (!m_mapper.is_positive(child)) return false;
+      if (!m_mapper.is_positive(child) || Mapper::orientation(cone(child, slot(child, apex))) != NEGATIVE)
+        return false;
     for (Cell_index child : children) place(child);
     return true;
   }
 
   // Splits an edge or else a facet inside that joins vertices of the front.
-  bool free(Cell_index c) {
+  bool split_joining(Cell_index c) {
     const auto v = mesh().cell(c);
     for (int i = 0; i < 4; ++i)
       for (int j = 0; j < i; ++j)
-        if (has_place(v[i]) && has_place(v[j]) && !is_front_edge(v[i], v[j])) return insert({v[j], v[i]});
+        if (has_image(v[i]) && has_image(v[j]) && !is_front_edge(v[i], v[j])) return insert({v[j], v[i]});
     for (int i = 0; i < 4; ++i) {
       const std::vector<Vertex_index> joining = facet(c, i);
       const bool is_joining =
-          std::all_of(joining.begin(), joining.end(), [this](Vertex_index w) { return has_place(w); });
+          std::all_of(joining.begin(), joining.end(), [this](Vertex_index w) { return has_image(w); });
       if (!m_front[c][i] && is_joining) return insert(joining);
     }
     return false;
@@ -272,9 +277,9 @@ private:
     const std::size_t before = mesh().number_of_cells();
     if (!m_unsplit) m_unsplit = m_mapper;
     if (!m_mapper.insert_inside(simplex).ok()) return false;
-    m_states.resize(mesh().number_of_cells(), LEFT);
+    m_cell_states.resize(mesh().number_of_cells(), REMAINING);
     m_front.resize(mesh().number_of_cells());
-    m_places.push_back(NONE);
+    m_vertex_states.push_back(WITHOUT_IMAGE);
     for (std::size_t c = before; c < mesh().number_of_cells(); ++c) m_left.emplace_back(c);
     const Vertex_index m(m_mapper.images().size() - 1);
     for (Cell_index c : mesh().star(m)) {
@@ -292,8 +297,8 @@ private:
 
   void undo() {
     if (m_unsplit) m_mapper = std::move(*m_unsplit);
-    for (Vertex_index v : m_inside)
-      if (v < m_before.size()) m_mapper.set_image(v, m_before[v]);
+    for (std::size_t k = 0; k < m_inside.size(); ++k)
+      if (m_inside[k] < m_mapper.images().size()) m_mapper.set_image(m_inside[k], m_before[k]);
   }
 
   // A tetrahedron that is to be positive, with a corner that may move.
@@ -320,7 +325,7 @@ private:
     Corners result;
     for (Cell_index c : mesh().star(v)) {
       const int k = slot(c, v);
-      if (m_states[c] == PLACED) result.push_back({m_mapper.images(c), k});
+      if (m_cell_states[c] == PLACED) result.push_back({m_mapper.images(c), k});
       for (int i = 0; i < 4; ++i)
         if (m_front[c][i] && i != k) result.push_back({cone(c, i), k});
     }
@@ -338,14 +343,18 @@ private:
   // Moves those of the vertices that may move, and the centre.
   void relax(const std::vector<Vertex_index>& vertices) {
     for (Vertex_index v : vertices)
-      if (m_places[v] == MOVABLE) m_mapper.set_image(v, moved(m_mapper.images()[v], star(v), {}));
-    m_centre = moved(m_centre, star_of_centre(), {});
+      if (m_vertex_states[v] == MOVABLE) m_mapper.set_image(v, moved(m_mapper.images()[v], star(v), {}));
+    if (!m_left.empty()) m_centre = moved(m_centre, star_of_centre(), {});
   }
 
+  // Some cells are tried: each attempt moves the centre, which takes as long as the front is big.
   bool place_where_room_can_be_made() {
+    int attempts = 20;
     for (Cell_index c : m_left) {
       const Move move = move_of(c);
-      if ((move != SPLIT_FACET && move != SPLIT_EDGE) || !make_room(c)) continue;
+      if (move != SPLIT_FACET && move != SPLIT_EDGE) continue;
+      if (attempts-- == 0) return false;
+      if (!make_room(c)) continue;
       place(c);
       return true;
     }
@@ -358,7 +367,8 @@ private:
     for (int round = 0; round < most_rounds; ++round) {
       for (int k = 0; k < 4; ++k) {
         const Vertex_index v = mesh().cell(c)[k];
-        if (m_places[v] == MOVABLE) m_mapper.set_image(v, moved(m_mapper.images()[v], star(v), wishes(c, k)));
+        if (m_vertex_states[v] == MOVABLE)
+          m_mapper.set_image(v, moved(m_mapper.images()[v], star(v), wishes(c, k)));
       }
       m_centre = moved(m_centre, star_of_centre(), wishes_for_centre(c));
       if (can_be_placed(c, m_front[c])) return true;
@@ -389,8 +399,8 @@ private:
   // Where there is room in a star of positive tetrahedra, and where wishes that are not fulfilled come closer to it.
   static Position moved(const Position& start, const Corners& star, const Corners& wishes) {
     constexpr int steps = 3;
-    constexpr double weight = 10,
-                     flat = 1e-3; // of a wish, against that of a tetrahedron; as a share of an edge
+    constexpr double weight = 10; // of a wish, against that of a tetrahedron
+    constexpr double flat = 1e-3; // the least depth, as a share of an edge
     std::vector<Half_space<3>> half_spaces;
     for (const Corner& corner : star) half_spaces.push_back(corner.half_space());
     Position direction = Position::Zero(), result = start;
@@ -411,12 +421,12 @@ private:
   Mapper& m_mapper;
   Position m_centre;
   std::vector<Cell_index> m_left;
-  std::vector<Cell_state> m_states;   // of the cells
-  std::vector<Facets> m_front;        // facets of cells that are left
-  std::vector<Vertex_place> m_places; // of the vertices
-  std::vector<Vertex_index> m_inside; // the movable ones
+  std::vector<Cell_state> m_cell_states;     // of the cells
+  std::vector<Facets> m_front;               // facets of cells that are left
+  std::vector<Vertex_state> m_vertex_states; // of the vertices
+  std::vector<Vertex_index> m_inside;        // the movable ones
   std::size_t m_most_cells;
-  std::vector<Position> m_before;  // of the vertices, at first
+  std::vector<Position> m_before;  // where the movable ones were
   std::optional<Mapper> m_unsplit; // before the first split
 };
 

@@ -31,8 +31,8 @@ namespace Volume_mesh_parameterization {
 namespace internal {
 
 /*
-A map of the vertices of a solid, with the boundary given, that is to have no flipped tetrahedron. Edges may be bisected on the
-way; the sweep order goes along.
+A map of the vertices of a solid, with the boundary given, that is to have no flipped tetrahedron. Edges and
+facets may be split on the way; the sweep order goes along.
 */
 template <typename GeomTraits>
 class Interior_mapper {

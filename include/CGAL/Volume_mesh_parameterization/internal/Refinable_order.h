@@ -12,6 +12,9 @@
 
 #include <CGAL/Volume_mesh_parameterization/internal/Splittable_mesh.h>
 
+#include <CGAL/assertions.h>
+
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <utility>

@@ -28,8 +28,9 @@ namespace internal {
 A ball of cells around flipped ones whose boundary is mapped one to one onto a surface that a point, the centre, sees all of.
 What is flipped inside does not matter: the image of the ball can be filled anew.
 
-The boundary is a sphere, the centre is on the inner side of each of its triangles, and one ray from there meets one triangle only:
-so the projection from the centre is a covering of a sphere, of degree one.
+The boundary is a sphere, and the centre is on the inner side of each of its triangles: so the projection from the centre is a
+covering of a sphere, but for vertices that it may wind around more than once. One ray meets one triangle only: as its degree is
+one, it does not. What a sphere bounds in space is a ball.
 */
 template <typename GeomTraits>
 class Star_shaped_ball {
@@ -54,7 +55,9 @@ public:
       best = middle;
       most_cells = m_cells.size() - 1;
     }
-    return is_found && grow(flipped, best, most_cells + 1) && move_centre();
+    if (!is_found || !grow(flipped, best, most_cells + 1)) return false;
+    move_centre();
+    return true;
   }
 
   const Cells& cells() const { return m_cells; }
@@ -98,7 +101,7 @@ private:
   }
 
   // To where it sees all well.
-  bool move_centre() {
+  void move_centre() {
     constexpr int steps = 20;
     std::vector<Half_space<3>> half_spaces;
     for (const Facet& f : m_facets)
@@ -106,7 +109,6 @@ private:
     const Position before = m_centre;
     climb_barrier<3>(half_spaces, Position::Zero(), steps, m_centre);
     if (!is_seen_whole()) m_centre = before;
-    return true;
   }
 
   void add(Cell_index c) {

@@ -99,14 +99,15 @@ private:
   }
 
   Status refill(const Cells& flipped) {
-    constexpr std::size_t most_cells = 1000;
+    constexpr std::size_t most_cells = 1000, least_bound = 200;
     Star_shaped_ball<GeomTraits> ball(m_mapper);
     const std::vector<Cells> parts = clusters(flipped);
     for (std::size_t k = 0; k < parts.size(); ++k) {
       if (!m_visitor.advance(k, parts.size())) return {ERROR_CANCELLED, "untangling"};
       if (m_mapper.count_flipped(parts[k]) == 0) continue; // with a neighbour
       if (!ball.grow_around(parts[k], m_mapper.neighborhood(parts[k], 1), most_cells)) continue;
-      m_report.refilled_balls += Ball_refiller<GeomTraits>(m_mapper, ball).run();
+      const std::size_t most_added = least_bound + 2 * ball.cells().size();
+      m_report.refilled_balls += Ball_refiller<GeomTraits>(m_mapper, ball, most_added).run();
     }
     return {};
   }
