@@ -12,6 +12,7 @@ Exit: 0 the tables are printed, 1 a report cannot be read, 2 wrong usage.
 
 import json
 import pathlib
+import re
 import sys
 
 NOTHING = "-"
@@ -63,13 +64,22 @@ def table_of_hexahedra(reports):
 
 
 def table_of_stages(reports):
-    seconds = [{stage: s["seconds"] for stage, s in report.get("stages", {}).items()} for _, report in reports]
+    seconds = [seconds_of_stages(report) for _, report in reports]
     stages = list(dict.fromkeys(stage for s in seconds for stage in s))
     rows = [["CPU seconds", *stages, "total"]]
     for (file, report), s in zip(reports, seconds):
         times = [f"{s[stage]:.2f}" if stage in s else NOTHING for stage in stages]
         rows.append([name(file, report), *times, f"{sum(s.values()):.1f}"])
     return rows
+
+
+def seconds_of_stages(report):
+    """returns the seconds of each stage, those for all partitions that were tried together"""
+    seconds = {}
+    for stage, measured in report.get("stages", {}).items():
+        stage = re.sub(r"^partition \d+: ", "", stage)
+        seconds[stage] = seconds.get(stage, 0) + measured["seconds"]
+    return seconds
 
 
 def name(file, report):
