@@ -48,10 +48,7 @@ private:
 
   int finish(const Status& status, int exit_code) {
     m_clock.finish();
-    m_report["status"] = report_status(status);
-    m_report["exit_code"] = exit_code;
-    m_report["stages"] = report_stages(m_clock);
-    m_report["versions"] = report_versions();
+    report_end(status, exit_code, m_clock, m_report);
     const Status written = m_folder.write_text(Result_folder::report, m_report.dump(2) + "\n");
     return status.ok() && written.ok() ? exit_code : say(m_options.folder, status.ok() ? written : status, exit_code);
   }

@@ -210,3 +210,10 @@ Json report_versions() {
                         std::to_string(EIGEN_MINOR_VERSION)},
           {"compiler", __VERSION__}};
 }
+
+void report_end(const VMP::Status& status, int exit_code, const Stage_clock& clock, Json& report) {
+  report["status"] = report_status(status);
+  report["exit_code"] = exit_code;
+  report["stages"] = report_stages(clock);
+  report["versions"] = report_versions();
+}

@@ -36,6 +36,8 @@ Json report_distance(const VMP::Map_distance& distance, const std::vector<Point_
 Json report_line_angles(const Mesh& mesh, const std::vector<Point_3>& images);
 Json report_hexahedra(const VMP::Hexahedra_report& report, std::size_t number, bool has_pillow);
 Json report_versions();
+// What ends the report of every command.
+void report_end(const VMP::Status& status, int exit_code, const Stage_clock& clock, Json& report);
 
 // The angle in degrees between grad f and a vector of each cell.
 template <typename Vector_of_cell>
