@@ -1,7 +1,7 @@
 // The main job for Python: arrays of numpy in, arrays of numpy out.
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Volume_mesh_parameterization/Piecewise_linear_map_3.h>
+#include <CGAL/Volume_mesh_parameterization/Parameterization_search_3.h>
 #include <CGAL/Volume_mesh_parameterization/check_tetrahedral_mesh.h>
 #include <CGAL/Volume_mesh_parameterization/hexahedral_mesh.h>
 #include <CGAL/Volume_mesh_parameterization/optimize_hexahedra.h>
@@ -140,11 +140,9 @@ public:
     VMP::orient_cells(soup);
     Mesh mesh;
     require(mesh.assign(soup));
-    if (soup.facets.empty()) {
-      require(VMP::check_tetrahedral_mesh(mesh));
-      require(VMP::partition_boundary(mesh, {}, nullptr, Interruptible_visitor()));
-    }
-    map(mesh);
+    require(VMP::check_tetrahedral_mesh(mesh));
+    map(soup.facets.empty() ? VMP::Partition_sequence_3<Kernel>(std::move(mesh))
+                            : VMP::Partition_sequence_3<Kernel>::of_labels(std::move(mesh)));
   }
 
   Parameterization(const Reals& points, const Integers& triangles, std::size_t number_of_cells,
@@ -156,37 +154,30 @@ public:
     static_cast<void>(VMP::remesh_thin_triangles(surface)); // what cannot be cut is taken as it is
     VMP::Partition_options options;
     if (direction) options.directions.emplace_back((*direction)[0], (*direction)[1], (*direction)[2]);
-    Mesh mesh;
-    require(VMP::partition_and_tetrahedralize(surface, options, number_of_cells, mesh, nullptr,
-                                              Interruptible_visitor()));
-    map(mesh);
+    map(VMP::Partition_sequence_3<Kernel>(std::move(surface), number_of_cells, options));
   }
 
-  int genus() const { return m_solid.partition().genus; }
+  int genus() const { return solid().partition().genus; }
 
   py::dict mesh() const {
-    return mesh_and_map(m_solid.mesh(), m_solid.product_structure()->order(), m_solid.vertex_images());
+    return mesh_and_map(solid().mesh(), solid().product_structure()->order(), solid().vertex_images());
   }
 
-  py::object piecewise_linear() {
-    if (!m_is_linear_known)
-      m_linear_status = VMP::make_piecewise_linear<Tag>(m_solid, m_linear,
-                                                        CGAL::parameters::visitor(Interruptible_visitor()));
-    if (PyErr_Occurred()) throw py::error_already_set();
-    m_is_linear_known = true;
-    if (!m_linear.is_valid()) return py::none();
-    return mesh_and_map(m_linear.mesh(), m_linear.order(), m_linear.images());
+  py::object piecewise_linear() const {
+    const VMP::Piecewise_linear_map_3<Kernel>& map = m_search.linear_map();
+    if (!map.is_valid()) return py::none();
+    return mesh_and_map(map.mesh(), map.order(), map.images());
   }
 
   std::string why_not_piecewise_linear() const {
-    return m_linear_status.ok() ? std::string() : m_linear_status.message();
+    return m_search.linear_status().ok() ? std::string() : m_search.linear_status().message();
   }
 
   py::dict hexahedra(std::size_t number, bool has_pillow) const {
-    const VMP::Prism_3<Kernel>& prism = m_solid.floor_map()->domain();
+    const VMP::Prism_3<Kernel>& prism = solid().floor_map()->domain();
     const auto column = [this](const Point_2& foot, const std::vector<double>& levels,
                                std::vector<Point_3>& points) {
-      return m_solid.product_map()->column(foot, levels, points);
+      return solid().product_map()->column(foot, levels, points);
     };
     VMP::Hexahedron_soup_3<Point_3> mesh;
     require(
@@ -194,7 +185,7 @@ public:
     VMP::Hexahedra_optimization options;
     options.slides_over_smooth_rims = has_pillow;
     if (has_pillow) require(VMP::pillow_hexahedra(mesh));
-    require(VMP::optimize_hexahedra(m_solid.mesh(), mesh, options));
+    require(VMP::optimize_hexahedra(solid().mesh(), mesh, options));
     require(VMP::verify_hexahedra(mesh).status);
     py::dict result;
     result["points"] = table_of(mesh.points);
@@ -207,14 +198,13 @@ public:
   }
 
 private:
-  void map(const Mesh& mesh) {
-    require(VMP::parameterize<Tag>(mesh, m_solid, CGAL::parameters::visitor(Interruptible_visitor())));
+  void map(VMP::Partition_sequence_3<Kernel> partitions) {
+    require(m_search.run<Tag>(partitions, CGAL::parameters::visitor(Interruptible_visitor())));
   }
 
-  VMP::Direct_product_parameterizer_3<Kernel> m_solid;
-  VMP::Piecewise_linear_map_3<Kernel> m_linear;
-  VMP::Status m_linear_status;
-  bool m_is_linear_known = false;
+  const VMP::Direct_product_parameterizer_3<Kernel>& solid() const { return *m_search.parameterizer(); }
+
+  VMP::Parameterization_search_3<Kernel> m_search;
 };
 
 // Failures become exceptions of class Error, with the code as an attribute.

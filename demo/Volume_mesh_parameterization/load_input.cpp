@@ -94,14 +94,49 @@ Status read_points(const std::string& file, std::vector<Point_3>& points) {
   return status;
 }
 
-Status load_unlabelled(const Input_options& options, Stage_clock& clock, Input& input) {
-  clock.start("read, check and tetrahedralize");
-  input.is_surface = is_surface_file(options.file);
+namespace {
+
+Status load_surface(const Input_options& options, Stage_clock& clock, Input& input, std::optional<Partitions>& partitions) {
+  if (options.partition == "labels") return {VMP::ERROR_UNLABELLED_FACET, "a surface file has no labels"};
+  clock.start("read and check the surface");
   Surface surface;
-  Soup soup;
-  Status status = input.is_surface ? read_surface(options.file, surface) : read_tetrahedra(options.file, input.mesh);
-  if (status.ok() && input.is_surface) status = VMP::tetrahedralize(surface, soup, options.number_of_tetrahedra);
-  if (status.ok() && input.is_surface) status = input.mesh.assign(soup);
-  input.number_of_points = input.is_surface ? surface.points.size() : input.mesh.number_of_vertices();
+  const Status status = read_surface(options.file, surface);
+  if (!status.ok()) return status;
+  if (cut_thin_triangles(options, surface)) input.number_of_triangles = surface.triangles.size();
+  partitions.emplace(std::move(surface), options.number_of_tetrahedra, partition_options(options));
   return status;
+}
+
+Status load_tetrahedra(const Input_options& options, Stage_clock& clock, Input& input, std::optional<Partitions>& partitions) {
+  clock.start("read and check the tetrahedra");
+  Mesh mesh;
+  const Status status = read_tetrahedra(options.file, mesh);
+  if (!status.ok()) return status;
+  const auto labels = mesh.labelled_facets();
+  const bool is_auto = options.partition == "auto" || (options.partition.empty() && options.direction);
+  input.has_labels =
+      options.partition == "labels" ||
+      (!is_auto && std::any_of(labels.begin(), labels.end(), [](const auto& f) { return f.label != VMP::INTERIOR; }));
+  if (input.has_labels)
+    partitions = Partitions::of_labels(std::move(mesh));
+  else
+    partitions.emplace(std::move(mesh), partition_options(options));
+  return status;
+}
+
+} // namespace
+
+Status load_unlabelled(const Input_options& options, Stage_clock& clock, Mesh& mesh, std::size_t& number_of_points) {
+  clock.start("read, check and tetrahedralize");
+  const bool is_surface = is_surface_file(options.file);
+  Surface surface;
+  Status status = is_surface ? read_surface(options.file, surface) : read_tetrahedra(options.file, mesh);
+  if (status.ok() && is_surface) status = VMP::tetrahedralize(surface, mesh, options.number_of_tetrahedra);
+  number_of_points = is_surface ? surface.points.size() : mesh.number_of_vertices();
+  return status;
+}
+
+Status load_input(const Input_options& options, Stage_clock& clock, Input& input, std::optional<Partitions>& partitions) {
+  input.is_surface = is_surface_file(options.file);
+  return input.is_surface ? load_surface(options, clock, input, partitions) : load_tetrahedra(options, clock, input, partitions);
 }

@@ -5,21 +5,20 @@
 #include "commands.h"
 #include "types.h"
 
-#include <CGAL/Volume_mesh_parameterization/Partition_search_3.h>
+#include <CGAL/Volume_mesh_parameterization/Partition_sequence_3.h>
 #include <CGAL/Volume_mesh_parameterization/Triangle_soup_3.h>
 
 #include <optional>
 #include <string>
 #include <vector>
 
-// A tetrahedral mesh with a labelled boundary, and how it came about.
+using Partitions = VMP::Partition_sequence_3<Kernel>;
+
+// What the report says about an input.
 struct Input {
-  Mesh mesh;
-  std::size_t number_of_points = 0; // in the file, as far as they are used
   bool is_surface = false;
   std::size_t number_of_triangles = 0; // of a surface whose thin triangles were cut, else 0
-  bool has_labels = false;                          // given in the file
-  std::optional<VMP::Partition_candidate_3> chosen; // the automatic partition
+  bool has_labels = false;             // given in the file
 };
 
 // In lower case, with the dot.
@@ -30,8 +29,13 @@ VMP::Status read_surface(const std::string& file, VMP::Triangle_soup_3<Point_3>&
 bool cut_thin_triangles(const Input_options& options, VMP::Triangle_soup_3<Point_3>& surface);
 VMP::Status read_tetrahedra(const std::string& file, Mesh& mesh);
 
-// Reads and checks the file, and tetrahedralizes a surface; there are no labels, or those that tell triangles apart.
-VMP::Status load_unlabelled(const Input_options& options, Stage_clock& clock, Input& input);
+// Reads and checks the file, whose solids are labelled by that in the file, or by one partition after the other.
+VMP::Status load_input(const Input_options& options, Stage_clock& clock, Input& input,
+                       std::optional<Partitions>& partitions);
+
+// Reads and checks the file, and tetrahedralizes a surface; there are no labels, or those that tell triangles apart. The
+// points of the file come first, as far as they are used.
+VMP::Status load_unlabelled(const Input_options& options, Stage_clock& clock, Mesh& mesh, std::size_t& number_of_points);
 
 // Reads the points of a mesh or surface.
 VMP::Status read_points(const std::string& file, std::vector<Point_3>& points);

@@ -1,4 +1,3 @@
-#include "Partition_source.h"
 #include "Result_folder.h"
 #include "Stage_clock.h"
 #include "commands.h"
@@ -10,14 +9,11 @@
 
 #include <CGAL/Volume_mesh_parameterization/Averaged_gradient_field_3.h>
 #include <CGAL/Volume_mesh_parameterization/IO/MEDIT.h>
-#include <CGAL/Volume_mesh_parameterization/Piecewise_linear_map_3.h>
+#include <CGAL/Volume_mesh_parameterization/Parameterization_search_3.h>
 #include <CGAL/Volume_mesh_parameterization/verify_map.h>
 
-#include <algorithm>
 #include <cmath>
 #include <iostream>
-#include <limits>
-#include <memory>
 #include <optional>
 #include <string>
 
@@ -53,14 +49,14 @@ Status about(const std::string& file, const Status& status) {
 // is given with a boundary map.
 template <typename FloorMap>
 class Parameterization {
-  using Parameterizer = VMP::Direct_product_parameterizer_3<Kernel, Chosen_solver_traits, FloorMap>;
+  using Search = VMP::Parameterization_search_3<Kernel, Chosen_solver_traits, FloorMap>;
+  using Parameterizer = typename Search::Parameterizer;
 
 public:
   explicit Parameterization(const Parameterize_options& options)
       : m_options(options),
         m_folder(options.folder),
-        m_clock(options.quiet),
-        m_partitions(options.input, m_clock) {}
+        m_clock(options.quiet) {}
 
   int run() {
     const Status writable = m_folder.create(m_options.input.file);
@@ -69,156 +65,100 @@ public:
     m_report["threads"] = m_options.threads;
     const Status status = map_solid();
     if (is_refusal(status)) return finish(status, INPUT_REFUSED);
-    const Status written = m_attempt ? write_what_holds() : Status();
+    const Status written = parameterizer_or_null() ? write_what_holds() : Status();
     return written.ok() ? finish(status.ok() ? m_not_certified : status, exit_code(status))
                         : finish(written, INPUT_REFUSED);
   }
 
 private:
-  // A labelled solid, and how far its maps got.
-  struct Attempt {
-    Attempt(Input input, const FloorMap& floor_map) : input(std::move(input)), parameterizer(floor_map) {}
-
-    double energy() const {
-      return status.ok() && boundary_status.ok() ? boundary.energy : std::numeric_limits<double>::infinity();
-    }
-
-    Input input;
-    Parameterizer parameterizer;
-    VMP::Boundary_images_3<Kernel> boundary;
-    Status status, boundary_status;
-  };
-
-  Status load(Input& input, std::optional<Prism_floor_map>& floor_map) {
-    const Status status = floor_map ? m_partitions.next(input) : m_partitions.first(input);
+  Status load(std::optional<Partitions>& partitions, std::optional<Prism_floor_map>& floor_map) {
     floor_map.emplace(m_options.prism);
-    return status;
+    return load_input(m_options.input, m_clock, m_input, partitions);
   }
 
-  Status load(Input& input, std::optional<Given_boundary_map>& floor_map) {
+  Status load(std::optional<Partitions>& partitions, std::optional<Given_boundary_map>& floor_map) {
     if (!m_options.domain.empty()) m_report["input"]["domain"] = m_options.domain;
     m_report["input"]["boundary_map"] = m_options.boundary_map;
+    Mesh solid;
+    std::size_t number_of_points = 0;
     std::vector<Point_3> images;
-    Status status = load_unlabelled(m_options.input, m_clock, input);
+    m_input.is_surface = is_surface_file(m_options.input.file);
+    Status status = load_unlabelled(m_options.input, m_clock, solid, number_of_points);
     if (status.ok()) status = about(m_options.boundary_map, read_points(m_options.boundary_map, images));
     if (!status.ok()) return status;
-    if (images.size() != input.number_of_points)
+    if (images.size() != number_of_points)
       return {VMP::ERROR_BOUNDARY_MAP, m_options.boundary_map + ": " + std::to_string(images.size()) +
-                                           " points for the " + std::to_string(input.number_of_points) +
+                                           " points for the " + std::to_string(number_of_points) +
                                            " of the input"};
-    Mesh domain;
-    status = load_domain(m_options, input.mesh, images, m_clock, domain);
-    if (status.ok())
-      status = m_polycube.build(domain, CGAL::parameters::visitor(Clock_visitor(m_clock, "domain: ")));
+    status = load_polycube(solid, images);
     if (!status.ok())
       return about(m_options.domain.empty() ? m_options.boundary_map : m_options.domain, status);
     floor_map.emplace(m_polycube, std::move(images));
-    return floor_map->label_boundary(input.mesh);
+    status = floor_map->label_boundary(solid);
+    if (status.ok()) partitions = Partitions::of_labels(std::move(solid));
+    return status;
   }
 
-  // With the first partition whose boundary map has little energy, or with the one that has least; with another one where that
-  // leads to no piecewise linear map.
+  Status load_polycube(const Mesh& solid, const std::vector<Point_3>& images) {
+    Mesh domain;
+    const Status status = load_domain(m_options, solid, images, m_clock, domain);
+    return status.ok() ? m_polycube.build(domain, CGAL::parameters::visitor(Clock_visitor(m_clock, "domain: ")))
+                       : status;
+  }
+
   Status map_solid() {
-    constexpr double good = 8; // the maps of most solids with less extended inside; 4 is that of an isometry
-    constexpr int most_attempts = 6;
+    std::optional<Partitions> partitions;
     std::optional<FloorMap> floor_map;
-    std::vector<Attempt_pointer> attempts;
-    Status status;
-    for (int k = 0; k < most_attempts && (k == 0 || is_worth_another(attempts, good)); ++k) {
-      Input input = k == 0 ? Input() : attempts[0]->input;
-      status = load(input, floor_map);
-      if (!status.ok()) break;
-      const std::string prefix = k == 0 ? "" : "partition " + std::to_string(k + 1) + ": ";
-      attempts.push_back(std::make_unique<Attempt>(std::move(input), *floor_map));
-      map(*attempts.back(), prefix);
-      report_attempt(*attempts.back());
-      status = attempts.back()->status;
-      if (status.code() == VMP::ERROR_CANCELLED) break;
-    }
-    if (status.code() == VMP::ERROR_CANCELLED || attempts.empty()) return status;
-    choose(std::move(attempts));
+    Status status = load(partitions, floor_map);
+    if (!status.ok()) return status;
+    const bool is_flux = m_options.field == Field::FLUX;
+    VMP::Parameterization_search_options options;
+    if (is_flux) options.most_linear_maps = 0;
+    m_search.emplace(options, *floor_map);
+    const auto type = is_flux ? VMP::FLUX_CURVES : VMP::CERTIFIED_CURVES;
+    status = m_search->template run<CGAL::Parallel_if_available_tag>(
+        *partitions, VMP::parameters::curve_type(type).visitor(Clock_visitor(m_clock)));
     m_clock.finish();
-    report_input(m_attempt->input);
-    return m_linear_status.code() == VMP::ERROR_CANCELLED ? m_linear_status : m_attempt->status;
+    report_trials();
+    if (parameterizer_or_null()) report_input();
+    return status;
   }
 
-  using Attempt_pointer = std::unique_ptr<Attempt>;
+  const Parameterizer* parameterizer_or_null() const { return m_search ? m_search->parameterizer() : nullptr; }
+  const Parameterizer& parameterizer() const { return *m_search->parameterizer(); }
+  const VMP::Piecewise_linear_map_3<Kernel>& linear_map() const { return m_search->linear_map(); }
 
-  static bool has_less_energy(const Attempt_pointer& a, const Attempt_pointer& b) {
-    return a->energy() < b->energy();
-  }
-
-  bool is_worth_another(const std::vector<Attempt_pointer>& attempts, double good) const {
-    const auto best = std::min_element(attempts.begin(), attempts.end(), has_less_energy);
-    return attempts[0]->input.chosen && is_linear_wanted() && !((*best)->energy() <= good);
-  }
-
-  // The one with the least energy of those that lead to a piecewise linear map, if there is one; a few are tried.
-  void choose(std::vector<Attempt_pointer> attempts) {
-    constexpr std::size_t most_maps = 3;
-    std::stable_sort(attempts.begin(), attempts.end(), has_less_energy);
-    for (std::size_t k = 0; k < attempts.size() && k < most_maps; ++k) {
-      VMP::Piecewise_linear_map_3<Kernel> linear;
-      const Status status =
-          attempts[k]->status.ok() && is_linear_wanted() ? make_linear(*attempts[k], linear) : Status();
-      if (k > 0 && !linear.is_valid() && status.code() != VMP::ERROR_CANCELLED) continue;
-      m_attempt = std::move(attempts[k]);
-      m_linear = std::move(linear);
-      m_linear_status = status;
-      if (m_linear.is_valid() || !is_linear_wanted() || status.code() == VMP::ERROR_CANCELLED) return;
+  void report_trials() {
+    for (const VMP::Parameterization_trial_3& trial : m_search->trials()) {
+      if (!trial.partition) continue;
+      Json tried = report_candidate(*trial.partition);
+      tried["status"] = report_status(trial.status.ok() ? trial.boundary_status : trial.status);
+      if (std::isfinite(trial.boundary_energy)) tried["boundary_energy"] = trial.boundary_energy;
+      m_report["input"]["tried_partitions"].push_back(tried);
     }
   }
 
-  bool is_linear_wanted() const { return m_options.field != Field::FLUX; }
-
-  void map(Attempt& attempt, const std::string& prefix_of_stages) {
-    using Tag = CGAL::Parallel_if_available_tag;
-    const auto type = m_options.field == Field::FLUX ? VMP::FLUX_CURVES : VMP::CERTIFIED_CURVES;
-    const Clock_visitor visitor(m_clock, prefix_of_stages);
-    attempt.status = attempt.parameterizer.template run<Tag>(
-        attempt.input.mesh, VMP::parameters::curve_type(type).visitor(visitor));
-    if (!attempt.status.ok() || !is_linear_wanted()) return;
-    m_clock.start(prefix_of_stages + "map the boundary");
-    attempt.boundary_status = attempt.parameterizer.template map_boundary<Tag>(attempt.boundary);
-  }
-
-  void report_attempt(const Attempt& attempt) {
-    if (!attempt.input.chosen) return;
-    Json tried = report_candidate(*attempt.input.chosen);
-    tried["status"] = report_status(attempt.status.ok() ? attempt.boundary_status : attempt.status);
-    if (std::isfinite(attempt.energy())) tried["boundary_energy"] = attempt.energy();
-    m_report["input"]["tried_partitions"].push_back(tried);
-  }
-
-  void report_input(const Input& input) {
+  void report_input() {
     Json& report = m_report["input"];
-    if (m_options.boundary_map.empty()) report["partition"] = input.has_labels ? "labels" : "auto";
-    if (input.chosen) report["chosen_partition"] = report_candidate(*input.chosen);
-    report["kind"] = input.is_surface ? "surface" : "tetrahedra";
-    if (input.number_of_triangles > 0)
-      report["triangles_after_cutting_thin_ones"] = input.number_of_triangles;
-    report["tetrahedra"] = input.mesh.number_of_cells();
-  }
-
-  Status make_linear(const Attempt& attempt, VMP::Piecewise_linear_map_3<Kernel>& linear) {
-    if (!attempt.boundary_status.ok()) return attempt.boundary_status;
-    m_clock.start("untangle");
-    Clock_visitor visitor(m_clock);
-    const Parameterizer& p = attempt.parameterizer;
-    return linear.build(p.mesh(), p.product_structure()->order(), attempt.boundary, p.vertex_images(),
-                        visitor);
+    const VMP::Parameterization_trial_3& trial = m_search->chosen();
+    if (m_options.boundary_map.empty()) report["partition"] = m_input.has_labels ? "labels" : "auto";
+    if (trial.partition) report["chosen_partition"] = report_candidate(*trial.partition);
+    report["kind"] = m_input.is_surface ? "surface" : "tetrahedra";
+    if (m_input.number_of_triangles > 0)
+      report["triangles_after_cutting_thin_ones"] = m_input.number_of_triangles;
+    report["tetrahedra"] = trial.number_of_cells;
   }
 
   // The mesh that is written, and the order in which its cells are swept.
   const Mesh& object() const {
-    return m_linear.is_valid() ? m_linear.mesh() : m_attempt->parameterizer.mesh();
+    return linear_map().is_valid() ? linear_map().mesh() : parameterizer().mesh();
   }
   const std::vector<VMP::Cell_index>& order() const {
-    return m_linear.is_valid() ? m_linear.order() : m_attempt->parameterizer.product_structure()->order();
+    return linear_map().is_valid() ? linear_map().order() : parameterizer().product_structure()->order();
   }
 
   Status write_what_holds() {
-    const Parameterizer& p = m_attempt->parameterizer;
+    const Parameterizer& p = parameterizer();
     m_clock.start("check and write");
     report_mesh();
     Status status = VMP::IO::write_MEDIT(m_folder.file(Result_folder::object), object());
@@ -241,7 +181,7 @@ private:
   }
 
   void report_mesh() {
-    const Parameterizer& p = m_attempt->parameterizer;
+    const Parameterizer& p = parameterizer();
     const VMP::Preparation& splits = p.preparation();
     m_report["counts"] = {{"tetrahedra", object().number_of_cells()},
                           {"vertices", object().number_of_vertices()},
@@ -260,7 +200,7 @@ private:
   }
 
   void report_fields() {
-    const Parameterizer& p = m_attempt->parameterizer;
+    const Parameterizer& p = parameterizer();
     m_report["residuals"] = {{"harmonic_function", p.harmonic_function()->residual()},
                              {"dual_potential", p.dual_potential()->residual()},
                              {"flux", p.flux_field()->residual()},
@@ -277,7 +217,7 @@ private:
   }
 
   Status write_map() {
-    const Parameterizer& p = m_attempt->parameterizer;
+    const Parameterizer& p = parameterizer();
     const VMP::Map_report map = VMP::verify_map(p.mesh(), p.vertex_images());
     m_report["vertex_map"] = {{"flipped", map.flipped},
                               {"flat", map.flat},
@@ -298,23 +238,23 @@ private:
 
   void report_floor(const Prism_floor_map& map) {
     m_report["floor_distortion"] =
-        report_distortion(VMP::measure_floor_distortion(m_attempt->parameterizer.mesh(), map));
+        report_distortion(VMP::measure_floor_distortion(parameterizer().mesh(), map));
   }
   void report_floor(const Given_boundary_map&) {}
 
   // A piecewise linear map is handed out only if it is bijective: the untangled one, or that of the vertices along curves.
   Status write_linear_map(bool vertex_map_is_bijective, const Result_fields& fields) {
-    const bool is_linear = m_linear.is_valid() || vertex_map_is_bijective;
-    const std::vector<Point_3>& images = m_linear.is_valid() ? m_linear.images() : fields.images;
+    const bool is_linear = linear_map().is_valid() || vertex_map_is_bijective;
+    const std::vector<Point_3>& images = linear_map().is_valid() ? linear_map().images() : fields.images;
     m_report["certificates"]["piecewise_linear"] = is_linear;
     m_report["distortion"] = report_distortion(VMP::measure_distortion(object(), images));
     m_report["piecewise_linear_map"] = {
-        {"status", report_status(m_linear_status)},
-        {"untangling", report_untangling(m_linear.report())},
-        {"tetrahedra_before", m_attempt->parameterizer.mesh().number_of_cells()}};
+        {"status", report_status(m_search->linear_status())},
+        {"untangling", report_untangling(linear_map().report())},
+        {"tetrahedra_before", parameterizer().mesh().number_of_cells()}};
     report_distance_to_phi(images);
-    report_lines(*m_attempt->parameterizer.floor_map(), images);
-    if (!is_linear && m_not_certified.ok()) m_not_certified = m_linear_status;
+    report_lines(*parameterizer().floor_map(), images);
+    if (!is_linear && m_not_certified.ok()) m_not_certified = m_search->linear_status();
     if (!is_linear) return {};
     Soup image = VMP::make_soup(object());
     image.points = images;
@@ -323,9 +263,9 @@ private:
 
   void report_distance_to_phi(const std::vector<Point_3>& images) {
     using Tag = CGAL::Parallel_if_available_tag;
-    const auto& phi = *m_attempt->parameterizer.product_map();
+    const auto& phi = *parameterizer().product_map();
     VMP::Map_distance distance;
-    const Status status = m_linear.is_valid() ? VMP::measure_map_distance<Tag>(phi, m_linear, distance)
+    const Status status = linear_map().is_valid() ? VMP::measure_map_distance<Tag>(phi, linear_map(), distance)
                                               : VMP::measure_map_distance<Tag>(phi, images, distance);
     m_report["piecewise_linear_map"]["distance_to_phi"] =
         status.ok() ? report_distance(distance, images) : report_status(status);
@@ -339,20 +279,20 @@ private:
 
   // Fields of the mesh that is written, which may be finer than the one that they were computed on.
   Status result_fields(Result_fields& fields) const {
-    const Parameterizer& p = m_attempt->parameterizer;
+    const Parameterizer& p = parameterizer();
     fields = {p.harmonic_function()->values(), p.vertex_images(), positions(), m_angles};
-    if (!m_linear.is_valid()) return {};
-    const auto locations = m_linear.locations(p.mesh());
+    if (!linear_map().is_valid()) return {};
+    const auto locations = linear_map().locations(p.mesh());
     fields.f.clear();
     for (const auto& l : locations) fields.f.push_back(l.value(p.mesh(), p.harmonic_function()->values()));
     fields.angles.clear();
-    for (VMP::Cell_index c : m_linear.origins(p.mesh())) fields.angles.push_back(m_angles[c]);
+    for (VMP::Cell_index c : linear_map().origins(p.mesh())) fields.angles.push_back(m_angles[c]);
     return p.product_map()->template images<CGAL::Parallel_if_available_tag>(locations, fields.images);
   }
 
   std::vector<int> positions() const {
     std::vector<int> result(object().number_of_cells(), 0);
-    if (m_attempt->parameterizer.product_structure())
+    if (parameterizer().product_structure())
       for (std::size_t k = 0; k < order().size(); ++k) result[order()[k]] = int(k);
     return result;
   }
@@ -367,7 +307,7 @@ private:
   Status write_hexahedra(const VMP::Prism_3<Kernel>&) {
     VMP::Hexahedron_soup_3<Point_3> hexahedra;
     const Status status =
-        make_hexahedra(m_options.hexahedra, m_attempt->parameterizer, m_linear, m_report, hexahedra);
+        make_hexahedra(m_options.hexahedra, parameterizer(), linear_map(), m_report, hexahedra);
     if (status.ok()) return write_hexahedra_files(m_folder, hexahedra, m_options.hexahedra.formats);
     m_not_certified = status;
     return {};
@@ -375,9 +315,9 @@ private:
 
   // Steps 3 to 5 of the paper on the same mesh: how many interior vertices arrive at each base.
   void report_paper() {
-    const auto& mesh = m_attempt->parameterizer.mesh();
+    const auto& mesh = parameterizer().mesh();
     const VMP::Averaged_gradient_field_3<Mesh> field(mesh,
-                                                     m_attempt->parameterizer.harmonic_function()->values());
+                                                     parameterizer().harmonic_function()->values());
     for (const auto& [name, base] :
          {std::pair<const char*, int>("floor", VMP::FLOOR), {"ceiling", VMP::CEILING}}) {
       const auto interior = field.arrivals(base), wall = field.arrivals_on_walls(base);
@@ -410,10 +350,8 @@ private:
   Result_folder m_folder;
   Stage_clock m_clock;
   Polycube m_polycube; // if one is given
-  Partition_source m_partitions;
-  std::unique_ptr<Attempt> m_attempt; // the best
-  VMP::Piecewise_linear_map_3<Kernel> m_linear;
-  Status m_linear_status; // why there is no piecewise linear map
+  Input m_input;
+  std::optional<Search> m_search;
   Json m_report;
   std::vector<double> m_angles; // between curves and grad f, in degrees
   Singularities m_singularities;

@@ -34,7 +34,9 @@
 #include <CGAL/Volume_mesh_parameterization/Harmonic_function_3.h>
 #include <CGAL/Volume_mesh_parameterization/Hexahedron_soup_3.h>
 #include <CGAL/Volume_mesh_parameterization/Integral_curve_3.h>
+#include <CGAL/Volume_mesh_parameterization/Parameterization_search_3.h>
 #include <CGAL/Volume_mesh_parameterization/Partition_search_3.h>
+#include <CGAL/Volume_mesh_parameterization/Partition_sequence_3.h>
 #include <CGAL/Volume_mesh_parameterization/Piecewise_linear_inverse_3.h>
 #include <CGAL/Volume_mesh_parameterization/Piecewise_linear_map_3.h>
 #include <CGAL/Volume_mesh_parameterization/Polycube_3.h>

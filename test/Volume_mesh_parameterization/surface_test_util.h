@@ -28,4 +28,12 @@ CGAL::Volume_mesh_parameterization::Triangle_soup_3<Point> self_intersecting_sur
   return soup;
 }
 
+// The points of the soup twice, at first where they are.
+template <typename Soup>
+Soup with_doubled_points(const Soup& soup) {
+  Soup result = soup;
+  for (const auto& p : soup.points) result.points.emplace_back(p.x() + 50, p.y(), p.z());
+  return result;
+}
+
 #endif // VOLUME_MESH_PARAMETERIZATION_SURFACE_TEST_UTIL_H

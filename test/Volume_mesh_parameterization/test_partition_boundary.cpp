@@ -138,14 +138,6 @@ void expect_refusal(const Mesh& solid, const VMP::Partition_options& options, VM
   assert(chosen.cost == 17);
 }
 
-// The points of the soup twice, at first where they are.
-template <typename Soup>
-Soup with_doubled_points(const Soup& soup) {
-  Soup result = soup;
-  for (const Point& p : soup.points) result.points.push_back(p + Kernel::Vector_3(50, 0, 0));
-  return result;
-}
-
 Solid two_blocks() {
   Solid soup = Block_with_holes<Point>(1, 1, 1).soup();
   const std::size_t n = soup.points.size();
@@ -173,103 +165,6 @@ void test_refusals() {
   expect_refusal(unlabelled<Kernel>(pinched), {}, VMP::ERROR_NON_MANIFOLD);
 }
 
-void expect_refusal(const Surface& surface, const VMP::Partition_options& options, VMP::Error_code code) {
-  Surface copy = surface;
-  Mesh solid;
-  expect(VMP::partition_surface<Kernel>(copy, options), code);
-  assert(copy.points == surface.points && copy.triangles == surface.triangles &&
-         copy.labels == surface.labels);
-  expect(VMP::partition_and_tetrahedralize(surface, options, 1000, solid), code);
-  assert(solid.number_of_cells() == 0);
-}
-
-#ifdef CGAL_VOLUME_MESH_PARAMETERIZATION_USE_TETGEN
-
-double area(const Surface& surface) {
-  const auto approximate = VMP::internal::approximate_surface(surface);
-  assert(approximate.adjacency.status().ok());
-  return approximate.total_area;
-}
-
-// The surface is cut finer, nothing else.
-void test_surface(Surface surface, const VMP::Partition_options& options, int genus) {
-  surface.labels.clear();
-  const Surface original = surface;
-  VMP::Partition_candidate_3 chosen;
-  expect(VMP::partition_surface<Kernel>(surface, options, &chosen), VMP::OK);
-  assert(surface.labels.size() == surface.triangles.size());
-  assert(std::equal(original.points.begin(), original.points.end(), surface.points.begin()));
-  assert(surface.triangles.size() ==
-         original.triangles.size() + 2 * (surface.points.size() - original.points.size()));
-  assert(std::abs(area(surface) - area(original)) < 1e-12 * area(original));
-  const auto approximate = VMP::internal::approximate_surface(surface);
-  expect(VMP::internal::validate_labels(approximate, surface.labels), VMP::OK);
-  assert(chosen.partition.genus == genus && chosen.quality.zigzag < 1.05);
-
-  Mesh solid;
-  expect(VMP::partition_and_tetrahedralize(original, options, 20000, solid), VMP::OK);
-  assert(validate(solid).genus == genus);
-  assert(std::equal(surface.points.begin(), surface.points.end(), solid.points().begin()));
-}
-
-void test_surfaces() {
-  test_surface(block_surface<Point>(2, 1, 1), {}, 2);
-  test_surface(make_boundary_soup(unlabelled<Kernel>(solid_torus<Point>(48, 24, 1))), along({0, 0, 1}), 1);
-  test_surface(make_boundary_soup(unlabelled<Kernel>(ball<Point>(2))), along({1, 2, 3}), 0);
-  Surface inside_out = block_surface<Point>(1, 1, 1);
-  for (auto& t : inside_out.triangles) std::swap(t[0], t[1]);
-  test_surface(inside_out, along({0, 0, 1}), 1);
-  VMP::Triangle_soup_3<Exact_kernel::Point_3> exact = block_surface<Exact_kernel::Point_3>(1, 1, 1);
-  expect(VMP::partition_surface<Exact_kernel>(exact, along({1, 2, 3})), VMP::OK);
-}
-
-// Facets keep labels that they have, as on solids.
-void test_picks_on_surface() {
-  Surface surface = block_surface<Point>(1, 1, 1);
-  VMP::Partition_options options;
-  options.given_labels = VMP::KEEP_LABELS;
-  for (int& label : surface.labels)
-    if (label != VMP::FIRST_WALL) label = VMP::INTERIOR;
-  const Surface picked = surface;
-  expect(VMP::partition_surface<Kernel>(surface, options), VMP::OK);
-  for (std::size_t t = 0; t < picked.labels.size(); ++t)
-    assert(picked.labels[t] == VMP::INTERIOR || surface.labels[t] == VMP::FIRST_WALL);
-}
-
-void test_refused_surfaces() {
-  const Surface block = block_surface<Point>(1, 1, 1);
-  expect_refusal(block, along({0, 0, 0}), VMP::ERROR_WRONG_PARAMETER);
-  expect_refusal(block, along({0, 0, NAN}), VMP::ERROR_WRONG_PARAMETER);
-  expect_refusal(Surface(), {}, VMP::ERROR_EMPTY_MESH);
-  Surface surface = block;
-  surface.triangles.pop_back();
-  surface.labels.pop_back();
-  expect_refusal(surface, {}, VMP::ERROR_OPEN_SURFACE);
-  surface = block;
-  surface.triangles.push_back(surface.triangles.back());
-  surface.labels.push_back(0);
-  expect_refusal(surface, {}, VMP::ERROR_NON_MANIFOLD);
-  surface = with_doubled_points(block);
-  surface.labels.clear();
-  for (auto triangle : block.triangles) {
-    for (std::size_t& v : triangle) v += block.points.size();
-    surface.triangles.push_back(triangle);
-  }
-  expect_refusal(surface, {}, VMP::ERROR_SEVERAL_COMPONENTS);
-  expect_refusal(self_intersecting_surface<Point>(), {}, VMP::ERROR_SELF_INTERSECTION);
-  surface = block;
-  surface.triangles[3][1] = surface.points.size();
-  expect_refusal(surface, {}, VMP::ERROR_INDEX_OUT_OF_RANGE);
-}
-
-#else
-
-void test_surfaces() { expect_refusal(block_surface<Point>(1, 1, 1), {}, VMP::ERROR_MISSING_LIBRARY); }
-void test_picks_on_surface() {}
-void test_refused_surfaces() {}
-
-#endif
-
 int main() {
   for (int holes = 0; holes <= 4; ++holes) test_block<Kernel>(holes);
   test_block<Exact_kernel>(1);
@@ -277,8 +172,5 @@ int main() {
   test_wall_width();
   test_labels_are_ignored();
   test_refusals();
-  test_surfaces();
-  test_picks_on_surface();
-  test_refused_surfaces();
   return EXIT_SUCCESS;
 }

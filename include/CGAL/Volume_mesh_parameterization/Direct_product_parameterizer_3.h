@@ -40,6 +40,7 @@ class Direct_product_parameterizer_3 : public Direct_product_3<GeomTraits, Solve
   using Base = Direct_product_3<GeomTraits, Solver>;
 
 public:
+  using Geom_traits = GeomTraits;                          ///< a model of `VolumeParameterizationTraits_3`
   using Point_3 = typename GeomTraits::Point_3;            ///< the point type
   using Floor_map = FloorMap;                              ///< a model of `VolumeFloorMap_3`
   using Product_map = Product_map_3<GeomTraits, FloorMap>; ///< the map and its inverse

@@ -159,6 +159,18 @@ private:
   Untangling_report m_report;
 };
 
+namespace internal {
+
+template <typename Parameterizer, typename GeomTraits, typename Visitor>
+Status untangle(const Parameterizer& solid, const Boundary_images_3<GeomTraits>& boundary, Visitor& visitor,
+                Piecewise_linear_map_3<GeomTraits>& result) {
+  return run_stage(visitor, "untangle", [&] {
+    return result.build(solid.mesh(), solid.product_structure()->order(), boundary, solid.vertex_images(), visitor);
+  });
+}
+
+} // namespace internal
+
 /*!
 \ingroup PkgVolumeMeshParameterizationMap
 
@@ -187,11 +199,7 @@ Status make_piecewise_linear(Parameterizer& solid, Piecewise_linear_map_3<GeomTr
   Boundary_images_3<GeomTraits> boundary;
   Status status = internal::run_stage(visitor, "map the boundary",
                                       [&] { return solid.template map_boundary<ConcurrencyTag>(boundary); });
-  if (!status.ok()) return status;
-  return internal::run_stage(visitor, "untangle", [&] {
-    return result.build(solid.mesh(), solid.product_structure()->order(), boundary, solid.vertex_images(),
-                        visitor);
-  });
+  return status.ok() ? internal::untangle(solid, boundary, visitor, result) : status;
 }
 
 } // namespace Volume_mesh_parameterization

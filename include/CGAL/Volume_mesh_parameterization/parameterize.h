@@ -11,15 +11,16 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/Direct_product_parameterizer_3.h>
+#include <CGAL/Volume_mesh_parameterization/Partition_sequence_3.h>
 #include <CGAL/Volume_mesh_parameterization/check_surface.h>
 #include <CGAL/Volume_mesh_parameterization/make_triangle_soup.h>
 #include <CGAL/Volume_mesh_parameterization/parameters.h>
-#include <CGAL/Volume_mesh_parameterization/partition_boundary.h>
 #include <CGAL/Volume_mesh_parameterization/remesh_thin_triangles.h>
 
 #include <CGAL/number_utils.h>
 
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -86,20 +87,36 @@ std::vector<Sweep_direction_3> directions_to_try(const Vector& given) {
       Sweep_direction_3(CGAL::to_double(given.x()), CGAL::to_double(given.y()), CGAL::to_double(given.z()))};
 }
 
+// Over the first partition.
+template <typename ConcurrencyTag, typename GeomTraits, typename Solver, typename NamedParameters, typename Visitor>
+Status parameterize_over(Partition_sequence_3<GeomTraits>& partitions,
+                         Direct_product_parameterizer_3<GeomTraits, Solver>& result, const NamedParameters& np,
+                         Visitor& visitor) {
+  Compact_tetrahedral_mesh_3<GeomTraits> solid;
+  const Status status = partitions.next(solid, visitor);
+  return status.ok() ? parameterize<ConcurrencyTag>(solid, result, np) : status;
+}
+
+// Over the best partition, if the result is a `Parameterization_search_3`.
+template <typename ConcurrencyTag, typename GeomTraits, typename Result, typename NamedParameters, typename Visitor>
+Status parameterize_over(Partition_sequence_3<GeomTraits>& partitions, Result& result, const NamedParameters& np, Visitor&) {
+  return result.template run<ConcurrencyTag>(partitions, np);
+}
+
 } // namespace internal
 
 /*!
 \ingroup PkgVolumeMeshParameterizationRef
 
 maps the solid inside a closed surface one to one onto a prism: checks the surface, divides it into floor, ceiling and
-walls, fills it with tetrahedra, and calls `parameterize()`. The surface may be oriented either way.
+walls, fills it with tetrahedra, and parameterizes it. The surface may be oriented either way.
 
 Needs TetGen, or \cgal 6.1: see `tetrahedralize()`.
 
 \tparam ConcurrencyTag as for `parameterize()`
-\tparam Point the point type of `GeomTraits`
-\tparam GeomTraits a model of `VolumeParameterizationTraits_3`
-\tparam Solver a model of `SparseLinearAlgebraWithFactorTraits_d`
+\tparam Point the point type of the model of `VolumeParameterizationTraits_3`
+\tparam Result `Direct_product_parameterizer_3`, for the map along curves over the first partition of a
+`Partition_sequence_3`; or `Parameterization_search_3`, for that and a piecewise linear map over the best of several
 \tparam NamedParameters a sequence of named parameters
 
 \param surface the boundary of a handlebody; its labels are not used
@@ -110,7 +127,7 @@ Needs TetGen, or \cgal 6.1: see `tetrahedralize()`.
   \cgalParamNBegin{sweep_direction}
     \cgalParamDescription{the direction from the floor to the ceiling}
     \cgalParamType{a vector of a \cgal kernel, of any length but 0}
-    \cgalParamDefault{the best partition of `Partition_search_3` is taken}
+    \cgalParamDefault{those of `propose_directions()` are tried}
   \cgalParamNEnd
   \cgalParamNBegin{number_of_cells}
     \cgalParamDescription{about how many tetrahedra are wanted, as far as the given triangles allow; 0: as many as their
@@ -122,12 +139,12 @@ Needs TetGen, or \cgal 6.1: see `tetrahedralize()`.
 
 A surface of thin triangles is cut by `remesh_thin_triangles()` first, if possible.
 
-\returns the errors of `check_surface()`, `partition_and_tetrahedralize()` and `parameterize()`
+\returns the errors of `check_surface()`, `Partition_sequence_3::next()` and `parameterize()`, or of
+`Parameterization_search_3::run()`
 */
-template <typename ConcurrencyTag = Sequential_tag, typename Point, typename GeomTraits, typename Solver,
+template <typename ConcurrencyTag = Sequential_tag, typename Point, typename Result,
           typename NamedParameters = CGAL::parameters::Default_named_parameters>
-Status parameterize_surface(const Triangle_soup_3<Point>& surface,
-                            Direct_product_parameterizer_3<GeomTraits, Solver>& result,
+Status parameterize_surface(const Triangle_soup_3<Point>& surface, Result& result,
                             const NamedParameters& np = CGAL::parameters::default_values()) {
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
@@ -135,19 +152,14 @@ Status parameterize_surface(const Triangle_soup_3<Point>& surface,
       choose_parameter(get_parameter(np, CGAL::internal_np::visitor), Default_parameterization_visitor());
   const std::size_t number_of_cells =
       choose_parameter(get_parameter(np, internal_np::number_of_cells), std::size_t(30000));
-
   Triangle_soup_3<Point> checked = surface;
-  Compact_tetrahedral_mesh_3<GeomTraits> solid;
-  Status status = internal::run_stage(visitor, "check the surface", [&] { return check_surface(checked); });
-  if (status.ok())
-    status = internal::run_stage(visitor, "partition and tetrahedralize", [&] {
-      // What cannot be cut is taken as it is.
-      static_cast<void>(remesh_thin_triangles(checked));
-      Partition_options options;
-      options.directions = internal::directions_to_try(get_parameter(np, internal_np::sweep_direction));
-      return partition_and_tetrahedralize(checked, options, number_of_cells, solid, nullptr, visitor);
-    });
-  return status.ok() ? parameterize<ConcurrencyTag>(solid, result, np) : status;
+  const Status status = internal::run_stage(visitor, "check the surface", [&] { return check_surface(checked); });
+  if (!status.ok()) return status;
+  static_cast<void>(remesh_thin_triangles(checked)); // what cannot be cut is taken as it is
+  Partition_options options;
+  options.directions = internal::directions_to_try(get_parameter(np, internal_np::sweep_direction));
+  Partition_sequence_3<typename Result::Geom_traits> partitions(std::move(checked), number_of_cells, options);
+  return internal::parameterize_over<ConcurrencyTag>(partitions, result, np, visitor);
 }
 
 /*!
@@ -157,25 +169,23 @@ maps the solid inside a closed triangle mesh, as the function above.
 
 \tparam ConcurrencyTag as for `parameterize()`
 \tparam TriangleMesh a model of `FaceListGraph` and `VertexListGraph`
-\tparam GeomTraits a model of `VolumeParameterizationTraits_3`
-\tparam Solver a model of `SparseLinearAlgebraWithFactorTraits_d`
+\tparam Result as above
 \tparam NamedParameters a sequence of named parameters
 
 \cgalNamedParamsBegin
   \cgalParamNBegin{vertex_point_map}
-    \cgalParamDescription{a property map with the point of each vertex, of the point type of `GeomTraits`}
+    \cgalParamDescription{a property map with the point of each vertex, of the point type of the geometric traits}
     \cgalParamDefault{`get(CGAL::vertex_point, mesh)`}
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
 \returns also `ERROR_NOT_TRIANGULATED`
 */
-template <typename ConcurrencyTag = Sequential_tag, typename TriangleMesh, typename GeomTraits, typename Solver,
+template <typename ConcurrencyTag = Sequential_tag, typename TriangleMesh, typename Result,
           typename NamedParameters = CGAL::parameters::Default_named_parameters>
-Status parameterize_surface(const TriangleMesh& mesh,
-                            Direct_product_parameterizer_3<GeomTraits, Solver>& result,
+Status parameterize_surface(const TriangleMesh& mesh, Result& result,
                             const NamedParameters& np = CGAL::parameters::default_values()) {
-  Triangle_soup_3<typename GeomTraits::Point_3> surface;
+  Triangle_soup_3<typename Result::Point_3> surface;
   const Status status = make_triangle_soup(mesh, surface, np);
   return status.ok() ? parameterize_surface<ConcurrencyTag>(surface, result, np) : status;
 }
