@@ -107,10 +107,70 @@ void test_refusals() {
   assert(code_of(bad) == VMP::ERROR_LABEL_NOT_ON_BOUNDARY);
 }
 
+// A mesh that knows the cells behind facets.
+struct Mesh_with_neighbors : Soup {
+  explicit Mesh_with_neighbors(const Soup& soup) : Soup(soup) {
+    Mesh mesh;
+    const VMP::Status status = mesh.assign(soup);
+    assert(status.ok());
+    for (VMP::Cell_index c : mesh.cells()) {
+      neighbors.emplace_back();
+      for (int i = 0; i < 4; ++i) neighbors.back()[i] = std::size_t(mesh.neighbor(c, i));
+    }
+  }
+  std::size_t neighbor(std::size_t c, int i) const { return neighbors[c][i]; }
+
+  std::vector<std::array<std::size_t, 4>> neighbors;
+};
+
+bool are_equal(const Mesh& a, const Mesh& b) {
+  bool result = a.points() == b.points() && a.number_of_facets() == b.number_of_facets();
+  for (VMP::Facet_index f : a.facets())
+    for (int side : {0, 1})
+      result = result && a.half_facet(f, side).cell == b.half_facet(f, side).cell && a.half_facet(f, side).index == b.half_facet(f, side).index;
+  for (VMP::Cell_index c : a.cells())
+    for (int i = 0; i < 4; ++i) result = result && a.facet(c, i) == b.facet(c, i) && a.label(c, i) == b.label(c, i);
+  return result;
+}
+
+// The same mesh results, whether neighbors are known, or a mesh of the same type is copied.
+void test_known_neighbors() {
+  static_assert(!VMP::internal::Knows_neighbors<Soup>::value && VMP::internal::Knows_neighbors<Mesh_with_neighbors>::value);
+  for (int holes = 0; holes <= 2; ++holes) {
+    const Soup soup = Block_with_holes<Point>(holes, 2, 2).soup();
+    Mesh found, known, copied;
+    assert(found.assign(soup).ok() && known.assign(Mesh_with_neighbors(soup)).ok() && copied.assign(found).ok());
+    assert(are_equal(found, known) && are_equal(found, copied));
+  }
+  assert(code_of(Mesh()) == VMP::ERROR_EMPTY_MESH);
+}
+
+void test_wrong_neighbors() {
+  const Mesh_with_neighbors good(Block_with_holes<Point>(0, 1, 1).soup());
+  const std::size_t none = good.number_of_cells();
+  std::size_t c = 0;
+  int inner = 0;
+  while (good.neighbors[c][inner] >= none) inner == 3 ? (++c, inner = 0) : ++inner;
+  Mesh_with_neighbors bad = good;
+  bad.neighbors[c][inner] = none; // but its neighbor knows it
+  assert(code_of(bad) == VMP::ERROR_WRONG_PARAMETER);
+  bad = good;
+  bad.neighbors[c][inner] = c;
+  assert(code_of(bad) == VMP::ERROR_WRONG_PARAMETER);
+  bad = good;
+  std::swap(bad.neighbors[c][inner], bad.neighbors[c][(inner + 1) % 4]);
+  assert(code_of(bad) == VMP::ERROR_WRONG_PARAMETER);
+  bad = good;
+  for (auto& n : bad.neighbors) n.fill(none); // facets in two cells that say they are no neighbors
+  assert(code_of(bad) == VMP::ERROR_NON_MANIFOLD);
+}
+
 int main() {
   for (int holes = 0; holes <= 4; ++holes) test_block(holes);
   test_labels();
   test_refusals();
+  test_known_neighbors();
+  test_wrong_neighbors();
   std::cout << "done" << std::endl;
   return EXIT_SUCCESS;
 }

@@ -64,5 +64,11 @@ returns triangles of the boundary with their labels; none need be labelled, and 
 */
 Labelled_facets labelled_facets() const;
 
+/*!
+returns the cell behind the facet of cell `cell` opposite to its vertex `i`, or a number that is no cell if that facet is on the
+boundary. This operation is optional: a mesh that knows its neighbors saves the time to find them.
+*/
+std::size_t neighbor(std::size_t cell, int i) const;
+
 /// @}
 };

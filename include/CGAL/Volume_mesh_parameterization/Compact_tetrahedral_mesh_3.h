@@ -24,6 +24,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <iterator>
 #include <limits>
 #include <string>
 #include <utility>
@@ -67,18 +68,28 @@ public:
   /// @{
 
   /// copies `mesh` and its labels, in linear time for vertices of bounded degree. Indices are checked, geometry and
-  /// topology are not: see `check_tetrahedral_mesh()`.
+  /// topology are not: see `check_tetrahedral_mesh()`. The numbers of facets do not depend on whether `mesh` knows neighbors.
   /// \tparam TetrahedralMesh a model of `TetrahedralMesh_3`
-  /// \returns `ERROR_EMPTY_MESH`, `ERROR_WRONG_PARAMETER` (more than `most_cells`, or as many vertices),
-  /// `ERROR_INDEX_OUT_OF_RANGE`, `ERROR_NON_MANIFOLD` (a facet in three cells) or `ERROR_LABEL_NOT_ON_BOUNDARY`; then the mesh is
-  /// left empty
+  /// \returns `ERROR_EMPTY_MESH`, `ERROR_WRONG_PARAMETER` (more than `most_cells`, or as many vertices; a neighbor that is
+  /// none), `ERROR_INDEX_OUT_OF_RANGE`, `ERROR_NON_MANIFOLD` (a facet in three cells, or in two that are no neighbors) or
+  /// `ERROR_LABEL_NOT_ON_BOUNDARY`; then the mesh is left empty
   template <typename TetrahedralMesh>
   Status assign(const TetrahedralMesh& mesh) {
+    std::vector<std::uint32_t> opposites;
     Status status = copy(mesh);
-    if (status.ok()) status = number_facets();
+    if constexpr (internal::Knows_neighbors<TetrahedralMesh>::value) // an optional operation of the concept
+      if (status.ok()) status = read_neighbors(mesh, opposites);
+    if (status.ok()) status = number_facets(opposites);
     if (status.ok()) status = read_labels(mesh.labelled_facets());
     if (!status.ok()) *this = Compact_tetrahedral_mesh_3();
     return status;
+  }
+
+  /// copies a mesh of the same type, facets and all; its vertices count as given.
+  Status assign(const Compact_tetrahedral_mesh_3& mesh) {
+    *this = mesh;
+    m_split_simplices.clear();
+    return m_cells.empty() ? Status(ERROR_EMPTY_MESH, "it has no tetrahedra") : Status();
   }
 
   /// takes points, cells, the label of each facet of each cell (0 in the interior) and the simplices whose barycentres
@@ -89,7 +100,7 @@ public:
     m_cells = std::move(cells);
     m_split_simplices = std::move(split_simplices);
     Status status = check_size(m_points.size(), m_cells.size());
-    if (status.ok()) status = number_facets();
+    if (status.ok()) status = number_facets({});
     if (status.ok())
       for (Facet_index f : boundary_facets()) set_label(f, labels[half_facet(f).cell][half_facet(f).index]);
     return status;
@@ -238,17 +249,50 @@ private:
 
   Sorted_facet sorted_half_facet(std::uint32_t h) const { return sorted(vertices(unpack(h)), h); }
 
-  // The facets with a smallest vertex of each number: so a few short lists are sorted instead of a long one.
-  internal::Incidence_lists<Vertex_index, std::uint32_t> half_facets_by_first_vertex() const {
-    return {number_of_vertices(), 4 * number_of_cells(), [this](std::uint32_t h) {
+  // The other side of each half-facet as the mesh tells it; checked.
+  template <typename TetrahedralMesh>
+  Status read_neighbors(const TetrahedralMesh& mesh, std::vector<std::uint32_t>& opposites) const {
+    opposites.assign(4 * number_of_cells(), none);
+    for (Cell_index c : cells())
+      for (int i = 0; i < 4; ++i) {
+        const std::size_t n = mesh.neighbor(std::size_t(c), i);
+        if (n < number_of_cells()) opposites[pack({c, i})] = half_facet_behind({c, i}, Cell_index(n));
+      }
+    for (std::uint32_t h = 0; h < opposites.size(); ++h)
+      if (opposites[h] != none && (opposites[h] == h || opposites[opposites[h]] != h))
+        return {ERROR_WRONG_PARAMETER, "the neighbor of tetrahedron " + std::to_string(h / 4) + " opposite to its vertex " +
+                                           std::to_string(h % 4) + " does not share that facet with it"};
+    return {};
+  }
+
+  // The facet of `cell` with the vertices of `h`; `h` itself if there is none.
+  std::uint32_t half_facet_behind(Half_facet h, Cell_index cell) const {
+    const auto v = vertices(h);
+    std::uint32_t result = pack(h);
+    int number_of_others = 0;
+    for (int j = 0; j < 4; ++j) {
+      if (std::find(v.begin(), v.end(), m_cells[cell][j]) != v.end()) continue;
+      result = pack({cell, j});
+      ++number_of_others;
+    }
+    return number_of_others == 1 ? result : pack(h);
+  }
+
+  // The facets with a smallest vertex of each number: so a few short lists are sorted instead of a long one. If opposites are
+  // known, one side of each is enough; the other sides follow in a list of their own.
+  internal::Incidence_lists<Vertex_index, std::uint32_t>
+  half_facets_by_first_vertex(const std::vector<std::uint32_t>& opposites) const {
+    return {number_of_vertices() + 1, 4 * number_of_cells(), [&](std::uint32_t h) {
               const auto v = vertices(unpack(h));
-              return std::array<Vertex_index, 1>{(std::min)({v[0], v[1], v[2]})};
+              const bool is_other_side = !opposites.empty() && opposites[h] < h;
+              return std::array<Vertex_index, 1>{is_other_side ? Vertex_index(number_of_vertices())
+                                                               : (std::min)({v[0], v[1], v[2]})};
             }};
   }
 
-  // Boundary facets come first, each kind in the lexicographic order of its vertices.
-  Status number_facets() {
-    const auto lists = half_facets_by_first_vertex();
+  // Boundary facets come first, each kind in the lexicographic order of its vertices. `opposites` is empty if unknown.
+  Status number_facets(const std::vector<std::uint32_t>& opposites) {
+    const auto lists = half_facets_by_first_vertex(opposites);
     std::vector<std::array<std::uint32_t, 2>> interior;
     std::vector<Sorted_facet> list;
     interior.reserve(2 * number_of_cells());
@@ -257,7 +301,7 @@ private:
       list.clear();
       for (std::uint32_t h : lists[first]) list.push_back(sorted_half_facet(h));
       std::sort(list.begin(), list.end());
-      const Status status = pair_half_facets(list, interior);
+      const Status status = pair_half_facets(list, opposites, interior);
       if (!status.ok()) return status;
     }
     m_labels.assign(m_half_facets.size(), INTERIOR);
@@ -269,19 +313,24 @@ private:
     return {};
   }
 
-  Status pair_half_facets(const std::vector<Sorted_facet>& sorted, std::vector<std::array<std::uint32_t, 2>>& interior) {
+  Status pair_half_facets(const std::vector<Sorted_facet>& sorted, const std::vector<std::uint32_t>& opposites,
+                          std::vector<std::array<std::uint32_t, 2>>& interior) {
+    const bool is_paired = !opposites.empty();
     for (std::size_t k = 0, end; k < sorted.size(); k = end) {
       for (end = k + 1; end < sorted.size() && same_facet(sorted[k], sorted[end]);) ++end;
-      if (end - k > 2)
-        return {ERROR_NON_MANIFOLD, "tetrahedra " + std::to_string(sorted[k][3] / 4) + ", " +
-                                        std::to_string(sorted[k + 1][3] / 4) + " and " +
-                                        std::to_string(sorted[k + 2][3] / 4) + " share a facet"};
-      if (end - k == 1)
-        m_half_facets.push_back({sorted[k][3], none});
-      else
-        interior.push_back({sorted[k][3], sorted[k + 1][3]});
+      if (end - k > (is_paired ? 1 : 2)) return not_manifold(sorted.begin() + std::ptrdiff_t(k), sorted.begin() + std::ptrdiff_t(end));
+      const std::uint32_t h = sorted[k][3], other = is_paired ? opposites[h] : end - k == 2 ? sorted[k + 1][3] : none;
+      (other == none ? m_half_facets : interior).push_back({h, other});
     }
     return {};
+  }
+
+  template <typename Iterator>
+  static Status not_manifold(Iterator first, Iterator last) {
+    std::string text = "tetrahedra " + std::to_string((*first)[3] / 4);
+    for (Iterator i = std::next(first); i != last; ++i)
+      text += (std::next(i) == last ? " and " : ", ") + std::to_string((*i)[3] / 4);
+    return {ERROR_NON_MANIFOLD, text + " share a facet" + (last - first == 2 ? ", but are no neighbors" : "")};
   }
 
   template <typename Range>

@@ -12,6 +12,8 @@
 
 #include <array>
 #include <cstddef>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -72,6 +74,14 @@ template <typename CellVertices>
 std::array<std::size_t, 4> vertex_numbers(const CellVertices& v) {
   return {std::size_t(v[0]), std::size_t(v[1]), std::size_t(v[2]), std::size_t(v[3])};
 }
+
+// Whether a model of TetrahedralMesh_3 has the optional function `neighbor()`.
+template <typename TetrahedralMesh, typename = void>
+struct Knows_neighbors : std::false_type {};
+template <typename TetrahedralMesh>
+struct Knows_neighbors<TetrahedralMesh, std::void_t<decltype(std::size_t(
+                                            std::declval<const TetrahedralMesh&>().neighbor(std::size_t(), int())))>>
+    : std::true_type {};
 
 } // namespace internal
 
