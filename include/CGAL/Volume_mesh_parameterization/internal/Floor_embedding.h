@@ -78,24 +78,25 @@ public:
   }
 
   // Drags the floor along with its rims to other rectangles, step by step. In between it is relaxed, so that it does not get
-  // stuck before it must; then all stays as it is.
+  // stuck before it must, and at the start if it is stuck there; on failure all stays as it is.
   Status move_to(const std::vector<Rectangle_2>& goal, double scale = 1) {
     constexpr double least_step = 1. / 64;
     Floor_embedding moved = *this;
     double step = 1;
+    bool is_relaxed = false;
     for (double left = 1; moved.rectangles != goal;) { // left of the way
-      const Floor_embedding start = moved;
       const double share = std::min(1., step / left);
-      Status status = moved.move_rims(share < 1 ? between(start.rectangles, goal, share) : goal);
-      if (status.ok()) status = moved.check();
+      Status status = moved.try_step(share < 1 ? between(moved.rectangles, goal, share) : goal);
       if (status.ok()) {
         left -= share * left;
         if (share < 1) moved.relax(ROUGHLY, ALL_PLANES, scale);
-        continue;
+        is_relaxed = true;
+      } else if (step /= 2; step < least_step) {
+        if (is_relaxed) return status;
+        moved.relax(ROUGHLY, ALL_PLANES, scale);
+        is_relaxed = true;
+        step = 1;
       }
-      moved = start;
-      step /= 2;
-      if (step < least_step) return status;
     }
     *this = std::move(moved);
     return {};
@@ -154,6 +155,15 @@ private:
         from[r].high(axis) += share * (to[r].high(axis) - from[r].high(axis));
       }
     return from;
+  }
+
+  // Moves the rims if the result is one to one; else all stays as it is.
+  Status try_step(const std::vector<Rectangle_2>& moved) {
+    const Floor_embedding start = *this;
+    Status status = move_rims(moved);
+    if (status.ok()) status = check();
+    if (!status.ok()) *this = start;
+    return status;
   }
 
   // Moves each rim as its rectangle changes, all other vertices by the mean of what their neighbors are moved.
