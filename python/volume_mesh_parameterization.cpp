@@ -141,8 +141,9 @@ public:
     Mesh mesh;
     require(mesh.assign(soup));
     require(VMP::check_tetrahedral_mesh(mesh));
-    map(soup.facets.empty() ? VMP::Partition_sequence_3<Kernel>(std::move(mesh))
-                            : VMP::Partition_sequence_3<Kernel>::of_labels(std::move(mesh)));
+    auto partitions = soup.facets.empty() ? VMP::Partition_sequence_3<Kernel>(std::move(mesh))
+                                          : VMP::Partition_sequence_3<Kernel>::of_labels(std::move(mesh));
+    require(m_search.run<Tag>(partitions, CGAL::parameters::visitor(Interruptible_visitor())));
   }
 
   Parameterization(const Reals& points, const Integers& triangles, std::size_t number_of_cells,
@@ -150,11 +151,15 @@ public:
     VMP::Triangle_soup_3<Point_3> surface;
     surface.points = points_of(points);
     surface.triangles = rows<3>(triangles, "triangles");
-    require(VMP::check_surface(surface));
-    static_cast<void>(VMP::remesh_thin_triangles(surface)); // what cannot be cut is taken as it is
-    VMP::Partition_options options;
-    if (direction) options.directions.emplace_back((*direction)[0], (*direction)[1], (*direction)[2]);
-    map(VMP::Partition_sequence_3<Kernel>(std::move(surface), number_of_cells, options));
+    const auto np = VMP::parameters::combine(CGAL::parameters::visitor(Interruptible_visitor()),
+                                             VMP::parameters::number_of_cells(number_of_cells));
+    if (direction) {
+      const Kernel::Vector_3 d((*direction)[0], (*direction)[1], (*direction)[2]);
+      require(VMP::parameterize_surface<Tag>(
+          surface, m_search, VMP::parameters::combine(np, VMP::parameters::sweep_direction(d))));
+    } else {
+      require(VMP::parameterize_surface<Tag>(surface, m_search, np));
+    }
   }
 
   int genus() const { return solid().partition().genus; }
@@ -185,7 +190,7 @@ public:
     VMP::Hexahedra_optimization options;
     options.slides_over_smooth_rims = has_pillow;
     if (has_pillow) require(VMP::pillow_hexahedra(mesh));
-    require(VMP::optimize_hexahedra(solid().mesh(), mesh, options));
+    require(VMP::optimize_hexahedra<Tag>(solid().mesh(), mesh, options));
     require(VMP::verify_hexahedra(mesh).status);
     py::dict result;
     result["points"] = table_of(mesh.points);
@@ -198,10 +203,6 @@ public:
   }
 
 private:
-  void map(VMP::Partition_sequence_3<Kernel> partitions) {
-    require(m_search.run<Tag>(partitions, CGAL::parameters::visitor(Interruptible_visitor())));
-  }
-
   const VMP::Direct_product_parameterizer_3<Kernel>& solid() const { return *m_search.parameterizer(); }
 
   VMP::Parameterization_search_3<Kernel> m_search;
@@ -209,7 +210,8 @@ private:
 
 // Failures become exceptions of class Error, with the code as an attribute.
 void register_failures(py::module_& module) {
-  static const py::object error = py::exception<Failure>(module, "Error", PyExc_ValueError);
+  // never destroyed: the interpreter ends first
+  static const py::object& error = *new py::object(py::exception<Failure>(module, "Error", PyExc_ValueError));
   py::register_exception_translator([](std::exception_ptr pointer) {
     try {
       if (pointer) std::rethrow_exception(pointer);

@@ -64,7 +64,5 @@ Status check_solid(const Input_options& options, bool quiet) {
 
 int check(const Input_options& options, bool quiet) {
   const Status status = check_solid(options, quiet);
-  if (status.ok()) return EVERYTHING_CERTIFIED;
-  std::cerr << "handlebody: " << options.file << ": " << status.message() << std::endl;
-  return INPUT_REFUSED;
+  return status.ok() ? EVERYTHING_CERTIFIED : say(options.file, status, INPUT_REFUSED);
 }

@@ -75,6 +75,9 @@ struct Remesh_command {
   bool quiet = false;
 };
 
+// Says on stderr why a command failed that was given `input`, and returns `exit_code`.
+int say(const std::string& input, const CGAL::Volume_mesh_parameterization::Status& status, int exit_code);
+
 int check(const Input_options& options, bool quiet);
 int partition(const Partition_command& options);
 int parameterize(const Parameterize_options& options);

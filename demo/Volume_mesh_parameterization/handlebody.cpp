@@ -201,6 +201,11 @@ int run(int argc, char** argv) {
 
 } // namespace
 
+int say(const std::string& input, const VMP::Status& status, int exit_code) {
+  std::cerr << "handlebody: " << input << ": " << status.message() << std::endl;
+  return exit_code;
+}
+
 int main(int argc, char** argv) {
   try {
     return run(argc, argv);

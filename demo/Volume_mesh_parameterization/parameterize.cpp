@@ -13,7 +13,6 @@
 #include <CGAL/Volume_mesh_parameterization/verify_map.h>
 
 #include <cmath>
-#include <iostream>
 #include <optional>
 #include <string>
 
@@ -60,12 +59,12 @@ public:
 
   int run() {
     const Status writable = m_folder.create(m_options.input.file);
-    if (!writable.ok()) return say(writable, INPUT_REFUSED);
+    if (!writable.ok()) return say(m_options.input.file, writable, INPUT_REFUSED);
     m_report["input"] = {{"file", m_options.input.file}};
     m_report["threads"] = m_options.threads;
     const Status status = map_solid();
     if (is_refusal(status)) return finish(status, INPUT_REFUSED);
-    const Status written = parameterizer_or_null() ? write_what_holds() : Status();
+    const Status written = is_worth_writing(status) ? write_what_holds() : Status();
     return written.ok() ? finish(status.ok() ? m_not_certified : status, exit_code(status))
                         : finish(written, INPUT_REFUSED);
   }
@@ -122,6 +121,12 @@ private:
     report_trials();
     if (parameterizer_or_null()) report_input();
     return status;
+  }
+
+  // Of what was cancelled early nothing is known.
+  bool is_worth_writing(const Status& status) const {
+    const Parameterizer* p = parameterizer_or_null();
+    return p && (status.code() != VMP::ERROR_CANCELLED || p->product_structure());
   }
 
   const Parameterizer* parameterizer_or_null() const { return m_search ? m_search->parameterizer() : nullptr; }
@@ -248,10 +253,11 @@ private:
     const std::vector<Point_3>& images = linear_map().is_valid() ? linear_map().images() : fields.images;
     m_report["certificates"]["piecewise_linear"] = is_linear;
     m_report["distortion"] = report_distortion(VMP::measure_distortion(object(), images));
-    m_report["piecewise_linear_map"] = {
-        {"status", report_status(m_search->linear_status())},
-        {"untangling", report_untangling(linear_map().report())},
-        {"tetrahedra_before", parameterizer().mesh().number_of_cells()}};
+    Json& report = m_report["piecewise_linear_map"];
+    if (m_options.field != Field::FLUX)
+      report = {{"status", report_status(m_search->linear_status())},
+                {"untangling", report_untangling(linear_map().report())}};
+    report["tetrahedra_before"] = parameterizer().mesh().number_of_cells();
     report_distance_to_phi(images);
     report_lines(*parameterizer().floor_map(), images);
     if (!is_linear && m_not_certified.ok()) m_not_certified = m_search->linear_status();
@@ -309,7 +315,7 @@ private:
     const Status status =
         make_hexahedra(m_options.hexahedra, parameterizer(), linear_map(), m_report, hexahedra);
     if (status.ok()) return write_hexahedra_files(m_folder, hexahedra, m_options.hexahedra.formats);
-    m_not_certified = status;
+    if (m_not_certified.ok()) m_not_certified = status;
     return {};
   }
 
@@ -326,8 +332,8 @@ private:
                                  {"stuck", interior.stuck},
                                  {"share_of_wall_vertices", wall.share()}};
     }
-    m_not_certified =
-        Status(VMP::ERROR_CURVE_LOST, "the paper's averaged gradient certifies nothing; see report.json");
+    if (m_not_certified.ok())
+      m_not_certified = {VMP::ERROR_CURVE_LOST, "the paper's averaged gradient certifies nothing; see report.json"};
   }
 
   int exit_code(const Status& status) const {
@@ -335,15 +341,7 @@ private:
   }
 
   int finish(const Status& status, int exit_code) {
-    m_clock.finish();
-    report_end(status, exit_code, m_clock, m_report);
-    const Status written = m_folder.write_text(Result_folder::report, m_report.dump(2) + "\n");
-    return status.ok() && written.ok() ? exit_code : say(status.ok() ? written : status, exit_code);
-  }
-
-  int say(const Status& status, int exit_code) const {
-    std::cerr << "handlebody: " << m_options.input.file << ": " << status.message() << std::endl;
-    return exit_code;
+    return end_report(m_options.input.file, status, exit_code, m_clock, m_report, m_folder);
   }
 
   const Parameterize_options& m_options;

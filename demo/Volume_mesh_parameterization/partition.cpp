@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
-#include <iostream>
 #include <string>
 #include <system_error>
 
@@ -102,6 +101,6 @@ private:
 int partition(const Partition_command& options) {
   const Status status = Partition_run(options).run();
   if (status.ok()) return EVERYTHING_CERTIFIED;
-  std::cerr << "handlebody: " << options.input.file << ": " << status.message() << std::endl;
-  return status.code() == VMP::ERROR_CANCELLED || status.code() == VMP::ERROR_CANNOT_SPLIT ? NOT_CERTIFIED : INPUT_REFUSED;
+  const bool is_refusal = status.code() != VMP::ERROR_CANCELLED && status.code() != VMP::ERROR_CANNOT_SPLIT;
+  return say(options.input.file, status, is_refusal ? INPUT_REFUSED : NOT_CERTIFIED);
 }

@@ -6,7 +6,6 @@
 #include "report.h"
 #include "result_files.h"
 
-#include <iostream>
 #include <vector>
 
 using VMP::Status;
@@ -47,15 +46,7 @@ private:
   }
 
   int finish(const Status& status, int exit_code) {
-    m_clock.finish();
-    report_end(status, exit_code, m_clock, m_report);
-    const Status written = m_folder.write_text(Result_folder::report, m_report.dump(2) + "\n");
-    return status.ok() && written.ok() ? exit_code : say(m_options.folder, status.ok() ? written : status, exit_code);
-  }
-
-  static int say(const std::string& folder, const Status& status, int exit_code) {
-    std::cerr << "handlebody: " << folder << ": " << status.message() << std::endl;
-    return exit_code;
+    return end_report(m_options.folder, status, exit_code, m_clock, m_report, m_folder);
   }
 
   const Remesh_command& m_options;

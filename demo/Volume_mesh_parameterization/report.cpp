@@ -211,9 +211,14 @@ Json report_versions() {
           {"compiler", __VERSION__}};
 }
 
-void report_end(const VMP::Status& status, int exit_code, const Stage_clock& clock, Json& report) {
+int end_report(const std::string& input, const VMP::Status& status, int exit_code, Stage_clock& clock, Json& report,
+               const Result_folder& folder) {
+  clock.finish();
   report["status"] = report_status(status);
   report["exit_code"] = exit_code;
   report["stages"] = report_stages(clock);
   report["versions"] = report_versions();
+  const VMP::Status written = folder.write_text(Result_folder::report, report.dump(2) + "\n");
+  if (!written.ok()) return say(input, written, INPUT_REFUSED);
+  return status.ok() ? exit_code : say(input, status, exit_code);
 }

@@ -1,6 +1,7 @@
 #ifndef HANDLEBODY_REPORT_H
 #define HANDLEBODY_REPORT_H
 
+#include "Result_folder.h"
 #include "Stage_clock.h"
 #include "result_files.h"
 #include "types.h"
@@ -36,8 +37,11 @@ Json report_distance(const VMP::Map_distance& distance, const std::vector<Point_
 Json report_line_angles(const Mesh& mesh, const std::vector<Point_3>& images);
 Json report_hexahedra(const VMP::Hexahedra_report& report, std::size_t number, bool has_pillow);
 Json report_versions();
-// What ends the report of every command.
-void report_end(const VMP::Status& status, int exit_code, const Stage_clock& clock, Json& report);
+
+// Ends the report and writes it into the folder, says a failure, and returns the exit code, that of a refusal if the report cannot
+// be written.
+int end_report(const std::string& input, const VMP::Status& status, int exit_code, Stage_clock& clock, Json& report,
+               const Result_folder& folder);
 
 // The angle in degrees between grad f and a vector of each cell.
 template <typename Vector_of_cell>

@@ -1,4 +1,4 @@
-// Maps a tetrahedral mesh of the user's own type: all it needs are the types and functions of the concept TetrahedralMesh_3.
+// Maps a tetrahedral mesh of the user's own type: all it needs are the type and the functions of the concept TetrahedralMesh_3.
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Volume_mesh_parameterization/parameterize.h>
@@ -16,10 +16,8 @@ using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 // A twisted bar of cubes, each cut into six tetrahedra. Nothing is stored, all is computed from numbers.
 class Twisted_bar {
 public:
-  // 1. Say what the types are.
+  // 1. Say what a point is.
   using Point_3 = Kernel::Point_3;
-  using Cell_vertices = std::array<std::size_t, 4>;
-  using Labelled_facets = std::vector<VMP::Labelled_facet>;
 
   // 2. Number vertices and cells from 0.
   std::size_t number_of_vertices() const { return points * points * (height + 1); }
@@ -35,19 +33,19 @@ public:
 
   // 4. Give the vertices of a cell, positively oriented: the path from a corner of its cube to the opposite one along the
   // axes in one of their six orders.
-  Cell_vertices cell(std::size_t c) const {
+  std::array<std::size_t, 4> cell(std::size_t c) const {
     constexpr std::size_t along[] = {1, points, points * points};
     const std::size_t cube = c / 6, first = c % 3, second = (first + 1 + c / 3 % 2) % 3;
     const std::size_t corner =
         cube % width + points * (cube / width % width + points * (cube / (width * width)));
-    Cell_vertices v = {corner, corner + along[first], corner + along[first] + along[second],
+    std::array<std::size_t, 4> v = {corner, corner + along[first], corner + along[first] + along[second],
                        corner + along[0] + along[1] + along[2]};
     if (c / 3 % 2 == 1) std::swap(v[2], v[3]); // an odd permutation
     return v;
   }
 
   // 5. Give the labels of the boundary; there are none.
-  Labelled_facets labelled_facets() const { return {}; }
+  std::vector<VMP::Labelled_facet> labelled_facets() const { return {}; }
 
 private:
   static constexpr std::size_t width = 3, height = 8, points = width + 1; // in cubes; along a side

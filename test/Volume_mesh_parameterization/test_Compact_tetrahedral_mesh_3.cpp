@@ -101,6 +101,9 @@ void test_refusals() {
   bad.facets[0].vertices = {0, 0, 0};
   assert(code_of(bad) == VMP::ERROR_LABEL_NOT_ON_BOUNDARY);
   bad = good;
+  bad.facets[0].vertices[1] += std::size_t(1) << 32; // the same in 32 bits
+  assert(code_of(bad) == VMP::ERROR_LABEL_NOT_ON_BOUNDARY);
+  bad = good;
   bad.facets.push_back(bad.facets[0]);
   assert(code_of(bad) == VMP::OK);
   ++bad.facets.back().label;

@@ -107,6 +107,29 @@ void test_refusals() {
   assert(wrong.parameterizer() && !wrong.parameterizer()->product_structure() && wrong.trials().size() == 1);
 }
 
+// Fails the first time.
+struct Fickle_floor_map : VMP::Floor_map_2<Kernel> {
+  static int builds;
+  VMP::Status build(const Mesh& mesh) {
+    return builds++ == 0 ? VMP::Status(VMP::ERROR_FLOOR_MAP, "it is the first one") : VMP::Floor_map_2<Kernel>::build(mesh);
+  }
+};
+int Fickle_floor_map::builds = 0;
+
+// A partition that leads to a map is better than one that does not, whether the boundary can be mapped or not.
+void test_failure_of_first() {
+  Options options;
+  options.good_energy = 0;
+  options.most_partitions = 2;
+  options.most_linear_maps = 1;
+  VMP::Parameterization_search_3<Kernel, VMP::Default_solver_traits_3, Fickle_floor_map> search(options);
+  Sequence partitions(unlabelled(solid_torus<Point>(24, 12, 1)));
+  expect(search.run(partitions), VMP::OK);
+  assert(search.trials().size() == 2 && search.linear_map().is_valid());
+  expect(search.trials()[0].status, VMP::ERROR_FLOOR_MAP);
+  assert(search.chosen().partition->method == search.trials()[1].partition->method);
+}
+
 // Notes the stages, and stops before the last.
 struct Noting_visitor {
   std::vector<std::string>* stages;
@@ -124,7 +147,7 @@ VMP::Status run(std::vector<std::string>& stages, std::size_t last, Search& sear
   return search.run(partitions, CGAL::parameters::visitor(Noting_visitor{&stages, last}));
 }
 
-// The visitor is told of each trial, and may stop in each stage.
+// The visitor is told of each trial, and may stop in each stage; a map that was finished is kept.
 void test_visitor() {
   Options options;
   options.good_energy = 0;
@@ -138,6 +161,8 @@ void test_visitor() {
     Search stopped(options);
     expect(run(stages, last, stopped), VMP::ERROR_CANCELLED);
     assert(stages.size() == last && !stopped.linear_map().is_valid());
+    const bool is_one_finished = std::count(stages.begin(), stages.end(), "partition 2: check the mesh") == 1;
+    assert(!is_one_finished || stopped.parameterizer()->product_map());
   }
 }
 
@@ -161,6 +186,7 @@ int main() {
   test_trials();
   test_curves_only();
   test_refusals();
+  test_failure_of_first();
   test_visitor();
   test_surface();
   return EXIT_SUCCESS;

@@ -83,12 +83,10 @@ class Mesh_archetype {
 public:
   using Point_3 = typename Kernel::Point_3;
 
-  struct Cell_vertices {
+  struct Corners {
     const std::array<std::size_t, 4>* vertices;
     unsigned short operator[](int i) const { return static_cast<unsigned short>((*vertices)[i]); }
   };
-
-  using Labelled_facets = std::list<VMP::Labelled_facet>;
 
   explicit Mesh_archetype(const VMP::Tetrahedron_soup_3<Point_3>& soup) : m_soup(soup) {}
   Mesh_archetype(const Mesh_archetype&) = delete;
@@ -97,10 +95,8 @@ public:
   std::size_t number_of_vertices() const { return m_soup.points.size(); }
   std::size_t number_of_cells() const { return m_soup.cells.size(); }
   Point_3 point(std::size_t vertex) const { return m_soup.points[vertex]; }
-  Cell_vertices cell(std::size_t c) const { return {&m_soup.cells[c]}; }
-  Labelled_facets labelled_facets() const {
-    return Labelled_facets(m_soup.facets.begin(), m_soup.facets.end());
-  }
+  Corners cell(std::size_t c) const { return {&m_soup.cells[c]}; }
+  std::list<VMP::Labelled_facet> labelled_facets() const { return {m_soup.facets.begin(), m_soup.facets.end()}; }
 
 private:
   VMP::Tetrahedron_soup_3<Point_3> m_soup;

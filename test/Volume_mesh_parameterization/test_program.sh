@@ -388,6 +388,24 @@ test_hexahedra_formats() {
   [ -s formats/hex.mesh ] && [ ! -e formats/hex.inp ] || fail "by default the format is not only medit"
 }
 
+# The number of hexahedra follows from the length of edges, or from the cells along the axes; layers may be graded.
+test_hexahedra_sizes() {
+  local few many
+  number_of_hexahedra() { awk 'found { print $1; exit } /^Hexahedra/ { if (NF > 1) { print $2; exit } found = 1 }' sizes/hex.mesh; }
+  run 2 parameterize block.mesh -o sizes --hexes 200 --hex-edge 0.5
+  run 2 parameterize block.mesh -o sizes --hex-edge 0.5 --hex-cells 4,4,2
+  run 2 parameterize block.mesh -o sizes --hex-cells 4,4
+  run 2 parameterize block.mesh -o sizes --hex-cells 0,4,2
+  run 2 parameterize block.mesh -o sizes --hex-grading 2
+  run 0 parameterize block.mesh -o sizes --hex-edge 0.5
+  few=$(number_of_hexahedra)
+  run 0 parameterize block.mesh -o sizes --hex-edge 0.25
+  many=$(number_of_hexahedra)
+  [ "$many" -gt "$((4 * few))" ] || fail "half of the edge gives $many instead of $few hexahedra"
+  run 0 parameterize block.mesh -o sizes --hex-cells 6,6,3 --hex-grading 1.5
+  [ "$(($(number_of_hexahedra) % 3))" -eq 0 ] || fail "$(number_of_hexahedra) hexahedra in three layers"
+}
+
 # The result does not depend on the number of threads.
 test_threads() {
   local name
@@ -475,6 +493,7 @@ test_polycubes
 test_pillow
 test_remeshing
 test_hexahedra_formats
+test_hexahedra_sizes
 test_threads
 test_partition
 test_broken_results

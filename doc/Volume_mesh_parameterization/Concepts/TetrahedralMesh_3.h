@@ -24,16 +24,6 @@ The point type, that of a model of `VolumeParameterizationTraits_3`.
 */
 typedef unspecified_type Point_3;
 
-/*!
-The four vertices of a cell: `operator[]` takes 0, 1, 2, 3 and returns a number convertible to `std::size_t`.
-*/
-typedef unspecified_type Cell_vertices;
-
-/*!
-A range of `CGAL::Volume_mesh_parameterization::Labelled_facet`.
-*/
-typedef unspecified_type Labelled_facets;
-
 /// @}
 
 /// \name Operations
@@ -55,14 +45,16 @@ returns the position of vertex `vertex`.
 Point_3 point(std::size_t vertex) const;
 
 /*!
-returns the vertices of cell `cell`, in an order in which `CGAL::orientation()` of their points is positive.
+returns the vertices of cell `cell`, in an order in which `CGAL::orientation()` of their points is positive: `operator[]` of the
+result takes 0, 1, 2, 3 and returns a number convertible to `std::size_t`.
 */
-Cell_vertices cell(std::size_t cell) const;
+unspecified_type cell(std::size_t cell) const;
 
 /*!
-returns triangles of the boundary with their labels; none need be labelled, and the order is of no importance.
+returns triangles of the boundary with their labels, as a range of `CGAL::Volume_mesh_parameterization::Labelled_facet`; none need be
+labelled, and the order is of no importance.
 */
-Labelled_facets labelled_facets() const;
+unspecified_type labelled_facets() const;
 
 /*!
 returns the cell behind the facet of cell `cell` opposite to its vertex `i`, or a number that is no cell if that facet is on the

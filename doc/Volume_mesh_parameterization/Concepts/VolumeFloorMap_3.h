@@ -3,7 +3,8 @@
 \cgalConcept
 
 The concept `VolumeFloorMap_3` describes a one-to-one map from the floor of a solid to the floor of a domain, which together
-with the product structures of both gives the map of the solid. Models are movable.
+with the product structures of both gives the map of the solid. Models are movable; for a
+`CGAL::Volume_mesh_parameterization::Parameterization_search_3` they can be copied.
 
 \cgalHasModelsBegin
 \cgalHasModels{CGAL::Volume_mesh_parameterization::Floor_map_2}

@@ -94,6 +94,9 @@ public:
 
   /// takes points, cells, the label of each facet of each cell (0 in the interior) and the simplices whose barycentres
   /// the last points are.
+  /// \pre the four vertices of a cell are different, and less than the number of points
+  /// \returns `ERROR_WRONG_PARAMETER` (more than `most_cells`, or as many vertices) or `ERROR_NON_MANIFOLD`; then the mesh is left
+  /// empty
   Status assign(std::vector<Point_3> points, std::vector<Cell_vertices> cells, const std::vector<Cell_labels>& labels,
                 std::vector<Simplex> split_simplices = {}) {
     m_points = std::move(points);
@@ -103,6 +106,8 @@ public:
     if (status.ok()) status = number_facets({});
     if (status.ok())
       for (Facet_index f : boundary_facets()) set_label(f, labels[half_facet(f).cell][half_facet(f).index]);
+    else
+      *this = Compact_tetrahedral_mesh_3();
     return status;
   }
 
@@ -162,6 +167,8 @@ public:
 
   /// returns the cell behind facet `i` of `c`, an invalid one on the boundary.
   Cell_index neighbor(Cell_index c, int i) const { return opposite({c, i}).cell; }
+  /// returns the same as a number.
+  std::size_t neighbor(std::size_t c, int i) const { return neighbor(Cell_index(c), i); }
 
   /// returns the vertices of `f`, counterclockwise seen from outside of the cell of `half_facet(f)`.
   std::array<Vertex_index, 3> vertices(Facet_index f) const { return vertices(half_facet(f)); }
@@ -342,7 +349,7 @@ private:
       const auto& v = given.vertices;
       const Sorted_facet key = sorted({Vertex_index(v[0]), Vertex_index(v[1]), Vertex_index(v[2])}, 0);
       const auto found = std::lower_bound(boundary.begin(), boundary.end(), key);
-      const bool exists = found != boundary.end() && same_facet(*found, key);
+      const bool exists = (std::max)({v[0], v[1], v[2]}) < number_of_vertices() && found != boundary.end() && same_facet(*found, key);
       if (!exists || (m_labels[(*found)[3]] != INTERIOR && m_labels[(*found)[3]] != given.label))
         return {ERROR_LABEL_NOT_ON_BOUNDARY, "triangle " + std::to_string(k) + " with vertices " + std::to_string(v[0]) +
                                                  ", " + std::to_string(v[1]) + ", " + std::to_string(v[2])};

@@ -37,9 +37,9 @@ struct Parameterization_search_options {
   /// no further partition is tried once a map of the boundary has no more energy, see `Boundary_images_3::energy`. 4 is that of
   /// an isometry; maps of less than 8 were extended to the inside of all solids that were tried, most within seconds
   double good_energy = 8;
-  std::size_t most_partitions = 6; ///< so many are tried at most
-  /// so many maps of the boundary, those of least energy, are extended to the inside, until one is. If 0, the first partition
-  /// is taken, and there is no piecewise linear map
+  std::size_t most_partitions = 6; ///< so many are tried at most, and at least one
+  /// so many maps of the boundary, those of least energy, are kept and extended to the inside, until one is. If 0, the first
+  /// partition is taken, and there is no piecewise linear map
   std::size_t most_linear_maps = 3;
 };
 
@@ -63,11 +63,12 @@ struct Parameterization_trial_3 {
 parameterizes a solid over several partitions of its boundary, and keeps the best: the one whose map of the boundary has the
 least energy among those that extend to a piecewise linear bijection.
 
-The energy of a map of the boundary foretells whether it can be extended to the inside, at a small part of the cost.
+The energy of a map of the boundary foretells whether it can be extended to the inside, at a small part of the cost. Of the
+partitions that were tried, the solids and fields of the `most_linear_maps` best are in memory at a time.
 
 \tparam GeomTraits a model of `VolumeParameterizationTraits_3`
 \tparam Solver a model of `SparseLinearAlgebraWithFactorTraits_d`
-\tparam FloorMap a model of `VolumeFloorMap_3`
+\tparam FloorMap a model of `VolumeFloorMap_3` that can be copied
 
 \sa `parameterize_surface()`
 */
@@ -93,7 +94,7 @@ public:
   the visitor is told names of stages that begin with `"partition 2: "` and so on
 
   \returns the failure of the map along curves over the best partition, or that of the first partition if there is none;
-  `ERROR_CANCELLED`. See `linear_status()` for the piecewise linear map
+  `ERROR_CANCELLED`: the best that was found holds nevertheless. See `linear_status()` for the piecewise linear map
   */
   template <typename ConcurrencyTag = Sequential_tag, typename NamedParameters = CGAL::parameters::Default_named_parameters>
   Status run(Partition_sequence_3<GeomTraits>& partitions,
@@ -103,8 +104,11 @@ public:
     auto visitor = choose_parameter(get_parameter(np, CGAL::internal_np::visitor), Default_parameterization_visitor());
     Status status;
     while (status.ok() && is_another_wanted()) status = try_partition<ConcurrencyTag>(partitions, np, visitor);
-    if (m_attempts.empty() || status.code() == ERROR_CANCELLED) return status;
-    return choose(visitor);
+    if (m_attempts.empty()) return status;
+    if (status.code() != ERROR_CANCELLED) return choose(visitor);
+    m_chosen = std::move(m_attempts.front());
+    m_attempts.clear();
+    return status;
   }
 
   /// \name Results
@@ -117,7 +121,7 @@ public:
   const Parameterization_trial_3& chosen() const { return m_chosen->trial; }
   /// returns the piecewise linear map, if it is valid.
   const Linear_map& linear_map() const { return m_linear_map; }
-  /// returns why there is no piecewise linear map.
+  /// returns why there is no piecewise linear map; no failure if there is one, or if it was not tried: see `chosen()`.
   const Status& linear_status() const { return m_linear_status; }
   /// returns what was tried, in that order.
   const std::vector<Parameterization_trial_3>& trials() const { return m_trials; }
@@ -149,15 +153,22 @@ private:
     std::string m_prefix;
   };
 
-  static bool has_less_energy(const Attempt_pointer& a, const Attempt_pointer& b) {
-    return a->trial.boundary_energy < b->trial.boundary_energy;
+  // Maps along curves that were certified come first.
+  static bool is_better(const Attempt_pointer& a, const Attempt_pointer& b) {
+    const auto badness = [](const Parameterization_trial_3& t) { return std::make_pair(!t.status.ok(), t.boundary_energy); };
+    return badness(a->trial) < badness(b->trial);
   }
 
   bool is_another_wanted() const {
-    if (m_trials.empty()) return true;
-    const auto best = std::min_element(m_attempts.begin(), m_attempts.end(), has_less_energy);
+    if (m_attempts.empty()) return true;
     return m_options.most_linear_maps > 0 && m_trials.size() < m_options.most_partitions &&
-           !((*best)->trial.boundary_energy <= m_options.good_energy);
+           !(m_attempts.front()->trial.boundary_energy <= m_options.good_energy);
+  }
+
+  // The best first, and no more than can be chosen.
+  void keep_best() {
+    std::stable_sort(m_attempts.begin(), m_attempts.end(), is_better);
+    m_attempts.resize((std::min)(m_attempts.size(), (std::max)(m_options.most_linear_maps, std::size_t(1))));
   }
 
   // Fails if there is no further partition, or if the visitor stops.
@@ -173,7 +184,8 @@ private:
     attempt.trial.number_of_cells = solid.number_of_cells();
     map<ConcurrencyTag>(solid, np, trial_visitor, attempt);
     m_trials.push_back(attempt.trial);
-    for (const Status& s : {attempt.trial.status, attempt.trial.boundary_status})
+    keep_best();
+    for (const Status& s : {m_trials.back().status, m_trials.back().boundary_status})
       if (s.code() == ERROR_CANCELLED) return s;
     return {};
   }
@@ -190,22 +202,20 @@ private:
     if (trial.boundary_status.ok()) trial.boundary_energy = attempt.boundary.energy;
   }
 
-  // The one of least energy of those that lead to a piecewise linear map, if there is one; else the one of least energy.
+  // The best of those that lead to a piecewise linear map, if there is one; else the best.
   template <typename Visitor>
   Status choose(Visitor& visitor) {
-    std::stable_sort(m_attempts.begin(), m_attempts.end(), has_less_energy);
-    const std::size_t tries = (std::min)(m_attempts.size(), (std::max)(m_options.most_linear_maps, std::size_t(1)));
-    for (std::size_t k = 0; k < tries && !m_linear_map.is_valid(); ++k) {
+    std::vector<Attempt_pointer> attempts = std::exchange(m_attempts, {});
+    Status status;
+    for (std::size_t k = 0; k < attempts.size() && !m_linear_map.is_valid() && status.code() != ERROR_CANCELLED; ++k) {
       Linear_map linear;
-      const Status status = make_linear(*m_attempts[k], visitor, linear);
-      if (k > 0 && !linear.is_valid() && status.code() != ERROR_CANCELLED) continue;
-      m_chosen = std::move(m_attempts[k]);
+      status = make_linear(*attempts[k], visitor, linear);
+      if (k > 0 && !linear.is_valid()) continue;
+      m_chosen = std::move(attempts[k]);
       m_linear_map = std::move(linear);
       m_linear_status = status;
-      if (status.code() == ERROR_CANCELLED) return status;
     }
-    m_attempts.clear();
-    return m_chosen->trial.status;
+    return status.code() == ERROR_CANCELLED ? status : m_chosen->trial.status;
   }
 
   template <typename Visitor>
@@ -218,7 +228,7 @@ private:
 
   Parameterization_search_options m_options;
   FloorMap m_floor_map;
-  std::vector<Attempt_pointer> m_attempts;
+  std::vector<Attempt_pointer> m_attempts; // the best first
   std::vector<Parameterization_trial_3> m_trials;
   Attempt_pointer m_chosen;
   Linear_map m_linear_map;

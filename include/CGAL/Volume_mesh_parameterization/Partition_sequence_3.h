@@ -36,7 +36,7 @@ given by its surface is filled with tetrahedra for each partition, so that rims 
 
 First come the partitions that a `Partition_search_3` with the given options finds; they suit plates and the like. Then come
 some with rims beside loops, with walls so broad that tubes stay tubes. A partition that was made as an earlier one, along
-nearly the same line, is left out.
+nearly the same line and with walls as broad, is left out.
 
 \tparam GeomTraits a model of `VolumeParameterizationTraits_3`
 */
@@ -70,7 +70,8 @@ public:
   whose vertices come first
   \param visitor has the functions of `Default_parameterization_visitor`
 
-  \returns `ERROR_NO_PARTITION` if there is no further one; the errors of `Partition_search_3::run()` and `tetrahedralize()`
+  \returns `ERROR_NO_PARTITION` if there is no further one; the errors of `Partition_search_3::run()` and `tetrahedralize()`;
+  `ERROR_CANNOT_SPLIT` if no partition can be made in the solid
   */
   template <typename Visitor>
   Status next(Mesh& solid, Visitor&& visitor) {
@@ -81,8 +82,8 @@ public:
         status = search(visitor);
       } else if (const std::size_t i = m_next++; !is_like_one_tried(m_search->candidates()[i])) {
         status = label(i, solid, visitor);
-        if (status.code() != ERROR_CANNOT_SPLIT) return status;
-        status = {};
+        if (status.code() != ERROR_CANNOT_SPLIT && status.code() != ERROR_TETRAHEDRALIZATION) return status;
+        m_refusal = std::exchange(status, {});
       }
     }
     return status;
@@ -90,17 +91,24 @@ public:
 
   /// returns what was found about the partition that `next()` made last; nothing if it was given.
   std::optional<Partition_candidate_3> chosen() const {
-    return m_tried.empty() ? std::nullopt : std::make_optional(m_tried.back());
+    return m_tried.empty() ? std::nullopt : std::make_optional(m_tried.back().candidate);
   }
 
 private:
   using Search = Partition_search_3<GeomTraits>;
   struct Labels {};
+  struct Tried {
+    Partition_candidate_3 candidate;
+    double wall_width;
+  };
 
   Partition_sequence_3(Mesh solid, Labels)
       : m_solid(std::make_unique<Mesh>(std::move(solid))), m_is_labelled(true) {}
 
-  static Status no_further_one() { return {ERROR_NO_PARTITION, "there is no further one"}; }
+  // Why, if candidates were found but none could be made.
+  Status no_further_one() const {
+    return m_tried.empty() && !m_refusal.ok() ? m_refusal : Status(ERROR_NO_PARTITION, "there is no further one");
+  }
 
   Status take_labels(Mesh& solid) {
     if (m_is_filled) return no_further_one();
@@ -129,15 +137,16 @@ private:
     constexpr double broad = .8;
     constexpr std::size_t few = 2;
     if (m_searches == most_searches) return no_further_one();
-    Partition_options options = m_options;
     if (m_searches++ > 0) {
-      options.only_by_loops = true;
-      options.wall_width = broad;
-      options.number_of_candidates = few;
+      m_options.only_by_loops = true;
+      m_options.wall_width = broad;
+      m_options.number_of_candidates = few;
     }
     m_next = 0;
-    m_search = std::make_unique<Search>(*m_solid, options);
-    return internal::run_stage(visitor, "partition", [&] { return m_search->run(visitor); });
+    m_search = std::make_unique<Search>(*m_solid, m_options);
+    const Status status = internal::run_stage(visitor, "partition", [&] { return m_search->run(visitor); });
+    if (!status.ok()) m_searches = most_searches;
+    return status;
   }
 
   template <typename Visitor>
@@ -152,7 +161,7 @@ private:
                                 });
     if (!status.ok()) return status;
     solid = std::move(labelled);
-    m_tried.push_back(m_search->candidates()[i]);
+    m_tried.push_back({m_search->candidates()[i], m_options.wall_width});
     return status;
   }
 
@@ -160,14 +169,14 @@ private:
   bool is_like_one_tried(const Partition_candidate_3& candidate) const {
     constexpr double cosine_of_same = .866; // 30 degrees
     const Sweep_direction_3& d = candidate.direction;
-    return std::any_of(m_tried.begin(), m_tried.end(), [&](const Partition_candidate_3& other) {
-      const Sweep_direction_3& e = other.direction;
-      return other.method == candidate.method &&
+    return std::any_of(m_tried.begin(), m_tried.end(), [&](const Tried& other) {
+      const Sweep_direction_3& e = other.candidate.direction;
+      return other.candidate.method == candidate.method && other.wall_width == m_options.wall_width &&
              std::abs(d * e) > cosine_of_same * std::sqrt(d.squared_length() * e.squared_length());
     });
   }
 
-  Partition_options m_options;
+  Partition_options m_options; // of the search that runs
   Surface m_surface; // unless the mesher cuts its triangles, or the solid was given
   std::size_t m_number_of_cells = 0;
   std::unique_ptr<Mesh> m_solid; // stays where it is, as a search refers to it
@@ -175,7 +184,8 @@ private:
   std::unique_ptr<Search> m_search;
   int m_searches = 0;
   std::size_t m_next = 0; // candidate of the search
-  std::vector<Partition_candidate_3> m_tried;
+  std::vector<Tried> m_tried;
+  Status m_refusal; // of the last candidate that could not be made
 };
 
 } // namespace Volume_mesh_parameterization

@@ -58,7 +58,7 @@ public:
   \param visitor has the functions of `Default_parameterization_visitor`
 
   \returns `ERROR_MAP_NOT_BIJECTIVE` with the number of tetrahedra that resisted and one of them, `ERROR_CANNOT_SPLIT`,
-  `ERROR_CANNOT_SOLVE`, `ERROR_CANCELLED`; then only `report()` is of use
+  `ERROR_CANCELLED`; then only `report()` is of use
 
   Complexity: a sparse system for the harmonic map; then near linear in the number of flipped tetrahedra. What makes no
   progress is given up.
@@ -70,7 +70,7 @@ public:
     *this = Piecewise_linear_map_3();
     internal::Interior_mapper<GeomTraits> mapper(mesh, order);
     Status status = map_boundary(boundary, mapper);
-    if (status.ok()) status = start(curve_images, mapper);
+    if (status.ok()) start(curve_images, mapper);
     if (status.ok() && boundary.may_slide) mapper.release_boundary();
     internal::Untangler<GeomTraits, Visitor> untangler(mapper, visitor, m_report);
     if (status.ok()) status = untangler.run();
@@ -130,17 +130,16 @@ private:
     return status;
   }
 
-  Status start(const std::vector<Point_3>& curve_images, internal::Interior_mapper<GeomTraits>& mapper) {
+  // With fewer flipped tetrahedra; along curves if the harmonic map cannot be computed.
+  void start(const std::vector<Point_3>& curve_images, internal::Interior_mapper<GeomTraits>& mapper) {
     for (std::size_t v = 0; v < curve_images.size(); ++v)
       if (mapper.is_inside(v)) mapper.set_image(v, position(curve_images[v]));
     const std::size_t flipped_along_curves = mapper.find_flipped().size();
     const std::vector<Position> along_curves = mapper.images();
-    const Status status = mapper.start_harmonically();
-    if (!status.ok()) return status;
-    m_report.starts_along_curves = flipped_along_curves < mapper.find_flipped().size();
+    m_report.starts_along_curves =
+        !mapper.start_harmonically() || flipped_along_curves < mapper.find_flipped().size();
     for (std::size_t v = 0; m_report.starts_along_curves && v < along_curves.size(); ++v)
       mapper.set_image(v, along_curves[v]);
-    return status;
   }
 
   // By exact signs of the numbers as they are.

@@ -49,7 +49,7 @@ labels for one that has none
 
 \cgalNamedParamsBegin
   \cgalParamNBegin{visitor}
-    \cgalParamDescription{is told which stage begins, and may stop; a copy is used}
+    \cgalParamDescription{is told which stage begins, and may stop; copies are used, so what it counts must be elsewhere}
     \cgalParamType{a class with the functions of `Default_parameterization_visitor`}
     \cgalParamDefault{`Default_parameterization_visitor()`}
   \cgalParamNEnd
@@ -88,9 +88,10 @@ std::vector<Sweep_direction_3> directions_to_try(const Vector& given) {
 }
 
 // Over the first partition.
-template <typename ConcurrencyTag, typename GeomTraits, typename Solver, typename NamedParameters, typename Visitor>
+template <typename ConcurrencyTag, typename GeomTraits, typename Solver, typename FloorMap, typename NamedParameters,
+          typename Visitor>
 Status parameterize_over(Partition_sequence_3<GeomTraits>& partitions,
-                         Direct_product_parameterizer_3<GeomTraits, Solver>& result, const NamedParameters& np,
+                         Direct_product_parameterizer_3<GeomTraits, Solver, FloorMap>& result, const NamedParameters& np,
                          Visitor& visitor) {
   Compact_tetrahedral_mesh_3<GeomTraits> solid;
   const Status status = partitions.next(solid, visitor);

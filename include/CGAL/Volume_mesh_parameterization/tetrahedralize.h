@@ -53,16 +53,14 @@ Status mesh_with_about(std::size_t number_of_cells, const Tetgen_mesher<Point>& 
   constexpr double good_enough = .25, no_progress = .1; // relative differences
   double ratio = 0;
   double bound = volume / double(number_of_cells);
-  Status status;
   for (int i = 0; i < attempts; ++i) {
-    status = mesher.mesh(bound, soup);
+    const Status status = mesher.mesh(bound, soup); // on failure the soup is that of the attempt before
+    if (!status.ok()) return i == 0 ? status : Status();
     const double last_ratio = std::exchange(ratio, double(soup.cells.size()) / double(number_of_cells));
-    if (!status.ok() || std::abs(ratio - 1) < good_enough ||
-        std::abs(ratio - last_ratio) < no_progress * ratio)
-      break;
+    if (std::abs(ratio - 1) < good_enough || std::abs(ratio - last_ratio) < no_progress * ratio) break;
     bound *= ratio;
   }
-  return status;
+  return {};
 }
 
 template <typename Point>

@@ -112,8 +112,8 @@ public:
 
   bool is_positive(Cell_index c) const { return orientation(images(c)) == POSITIVE; }
 
-  // Moves the vertices inside to where the harmonic map takes them.
-  Status start_harmonically() {
+  // Moves the vertices inside to where the harmonic map takes them. Returns false if its equations cannot be solved.
+  bool start_harmonically() {
     std::vector<std::uint32_t> row(m_points.size());
     std::uint32_t n = 0;
     for (std::size_t v = 0; v < row.size(); ++v) row[v] = is_inside(v) ? n++ : 0;
@@ -136,10 +136,10 @@ public:
     matrix.setFromTriplets(entries.begin(), entries.end());
     Eigen::ConjugateGradient<Eigen::SparseMatrix<double>, Eigen::Lower | Eigen::Upper> solver(matrix);
     const Eigen::MatrixX3d x = solver.solve(right);
-    if (solver.info() != Eigen::Success) return {ERROR_CANNOT_SOLVE, "harmonic map of the interior"};
+    if (solver.info() != Eigen::Success) return false;
     for (std::size_t v = 0; v < row.size(); ++v)
       if (is_inside(v)) m_images[v] = x.row(row[v]).transpose();
-    return {};
+    return true;
   }
 
   bool is_boundary_edge(Vertex_index a, Vertex_index b) const {

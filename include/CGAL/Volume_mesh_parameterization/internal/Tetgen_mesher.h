@@ -98,7 +98,7 @@ private:
         [&](Byte_reader& bytes) {
           bytes >> output.error >> output.coordinates >> output.cells >> output.facets >> output.markers;
         });
-    if (!has_ended) return {ERROR_TETRAHEDRALIZATION, "TetGen crashed"};
+    if (!has_ended) return {ERROR_TETRAHEDRALIZATION, "TetGen crashed, or its process could not be started"};
     if (output.error[0] != 0)
       return {ERROR_TETRAHEDRALIZATION, "TetGen says that " + meaning(output.error[0])};
     return {};
