@@ -147,9 +147,9 @@ test_bad_surfaces() {
     printf '%s\n' '1 -1 0' '2 -1 0' '2 0 0' '1 -1 1' '2 -1 1' '2 0 1' && cube_triangles 0 &&
     cube_triangles 0 | awk '{ split("8 9 1 10 11 12 5 13", v); print 3, v[$2 + 1], v[$3 + 1], v[$4 + 1] }'; } >edge.off
   refused edge.off 'manifold'
-  local type
+  local type number
   for type in off obj ply stl mesh vtk vtu; do
-    head -c 5000 "$program" >noise.$type
+    for number in {1..500}; do printf '\177\002%d\377\n\0' "$number"; done >noise.$type
     refused noise.$type 'malformed\|names a vertex' # binary STL can be anything
     : >empty.$type
     refused empty.$type 'truncated or malformed'
