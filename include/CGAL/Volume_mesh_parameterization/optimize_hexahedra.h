@@ -95,16 +95,6 @@ Status find_carriers(const Carriers_3& carriers, const Hexahedron_soup_3<Point>&
   return {};
 }
 
-// The labelled quadrilaterals with the patches that they are near.
-template <typename Point>
-std::vector<Carried_quadrilateral> carried_quadrilaterals(const Carriers_3& carriers,
-                                                          const Hexahedron_soup_3<Point>& hexahedra) {
-  std::vector<Carried_quadrilateral> result;
-  for (const Labelled_quadrilateral& q : hexahedra.facets)
-    result.push_back({q.vertices, carriers.patch(q.label)});
-  return result;
-}
-
 template <typename GeomTraits>
 std::vector<Eigen::Vector3d> surface_vertices(const Compact_tetrahedral_mesh_3<GeomTraits>& object) {
   std::vector<char> is_on_boundary(object.number_of_vertices(), 0);
@@ -192,8 +182,8 @@ Status optimize_hexahedra(const Compact_tetrahedral_mesh_3<GeomTraits>& object,
   if (status.ok()) status = carriers.build(object, !options.slides_over_smooth_rims);
   if (status.ok()) status = internal::find_carriers(carriers, hexahedra, nodes, carrier_of_node);
   if (!status.ok()) return status;
-  internal::Surface_watch watch(internal::carried_quadrilaterals(carriers, hexahedra),
-                                internal::surface_vertices(object), nodes, options.greatest_distance);
+  internal::Surface_watch watch(internal::Hexahedron_facets(hexahedra.hexahedra).boundary, carriers.surface(),
+                                internal::surface_vertices(object), nodes.size(), options.greatest_distance);
   internal::Hexahedra_optimizer<ConcurrencyTag> optimizer(nodes, hexahedra.hexahedra, carrier_of_node, std::move(watch));
   optimizer.run(options.most_sweeps, options.target, options.surface_tolerance);
 
