@@ -40,7 +40,7 @@ tells `optimize_hexahedra()` how far to go.
 struct Hexahedra_optimization {
   int most_sweeps =
       100; ///< over all nodes, in each of some dozens of passes; a node takes part while one around it moves
-  double target = 0.5; ///< the least scaled Jacobian for which even sizes and the mean are given up
+  double target = 0.52; ///< the least scaled Jacobian for which even sizes and the mean are given up
   /// how far a node may leave its patch or rim, as a share of the edges around, where the target is not reached otherwise
   double surface_tolerance = 0.35;
   /// how far the boundary and the surface may be from each other, in mean sides of boundary quadrilaterals, unless they were

@@ -63,7 +63,8 @@ public:
 
   // First with fixed rest lengths, which untangles and spreads the nodes. Then with the edges' own lengths as rest
   // lengths: only angles count, for by the inequality of means the energy is a bound, which the present nodes attain, for
-  // the same function of the scaled Jacobian. What of the surface is left out is covered as long as that helps.
+  // the same function of the scaled Jacobian. What of the surface is left out is covered then, and
+  // angles are mended again, some times: neither does for good what the other undoes.
   void run(int most_sweeps, double target, double tolerance) {
     constexpr int most_rounds = 4;
     m_most_sweeps = most_sweeps;
@@ -72,9 +73,9 @@ public:
     straighten(target, tolerance);
     Best<Grade> best(m_nodes, grade(target));
     for (int round = 0; round < most_rounds && std::get<1>(best.grade()) > 0; ++round) {
-      cover_surface();
+      cover_surface(target);
       straighten(target, tolerance);
-      if (!best.offer(m_nodes, grade(target))) break;
+      best.offer(m_nodes, grade(target));
     }
     m_nodes = best.nodes();
   }
@@ -121,16 +122,15 @@ private:
     raise_mean(target);
   }
 
-  // Draws nodes to what of the surface is too far from the hexahedra; those that do not arrive are free again. Returns
-  // whether there was any such place, unless hexahedra are inverted, which matters more.
-  bool cover_surface() {
+  // Draws nodes to what of the surface is too far from the hexahedra, unless hexahedra are inverted, which matters more. Nodes
+  // that do not arrive are free again, and so are those of hexahedra that fall short of `target`.
+  void cover_surface(double target) {
     constexpr int most_rounds = 8, power = 2;
     constexpr double volume_weight = 0.2, least_gain = 1e-2, good = 0.15;
-    if (std::count(m_inverted.begin(), m_inverted.end(), 1) > 0) return false;
+    if (std::count(m_inverted.begin(), m_inverted.end(), 1) > 0) return;
     m_watch.start(m_nodes);
     m_least_allowed = (std::min)(good, least_scaled_jacobian());
-    int round = 0;
-    for (; round < most_rounds; ++round) {
+    for (int round = 0; round < most_rounds; ++round) {
       const std::vector<Drawn_node> drawn = m_watch.nodes_to_draw(m_nodes, m_carriers);
       if (drawn.empty()) break;
       for (const Drawn_node& d : drawn)
@@ -138,10 +138,10 @@ private:
       run_pass({power, volume_weight}, least_gain);
     }
     m_least_allowed = -1;
-    m_places.assign(m_nodes.size(), {});
+    for (std::size_t v = 0; v < m_places.size(); ++v)
+      if (!is_at_place(v) || least_scaled_jacobian_around(v) < target) m_places[v].reset();
     m_is_covered = true;
     look_at_all();
-    return round > 0;
   }
 
   bool is_at_place(std::size_t v) const { return m_places[v] && *m_places[v] == m_nodes[v]; }

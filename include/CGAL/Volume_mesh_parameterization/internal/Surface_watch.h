@@ -61,7 +61,7 @@ public:
 
   // Takes the present distances for those that may be.
   void start(const Nodes& nodes) {
-    constexpr double enough = 0.8, too_far = 0.95; // other points are farther than middles; sides become shorter
+    constexpr double enough = 0.8, too_far = 0.9; // other points are farther; sides become shorter
     m_side = mean_side(nodes);
     m_enough = enough * m_allowed * m_side;
     m_too_far = too_far * m_allowed * m_side;
