@@ -63,8 +63,8 @@ public:
 
   // First with fixed rest lengths, which untangles and spreads the nodes. Then with the edges' own lengths as rest
   // lengths: only angles count, for by the inequality of means the energy is a bound, which the present nodes attain, for
-  // the same function of the scaled Jacobian. What of the surface is left out is covered then, and
-  // angles are mended again, some times: neither does for good what the other undoes.
+  // the same function of the scaled Jacobian. Then what of the surface is left out is covered, and angles are mended again;
+  // either undoes a part of the other, so that a round may help after one that does not.
   void run(int most_sweeps, double target, double tolerance) {
     constexpr int most_rounds = 4;
     m_most_sweeps = most_sweeps;

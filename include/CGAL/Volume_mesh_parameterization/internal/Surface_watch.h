@@ -157,7 +157,7 @@ private:
     return result;
   }
 
-  // Vertices of the surface that are farther than `distance` from the quadrilaterals, with the nearest of these.
+  // Vertices of the surface that are at least `distance` away from the quadrilaterals, with the nearest of these.
   std::vector<Far_point> far_vertices(const Nodes& nodes, double distance) const {
     Triangles triangles;
     for (const Quadrilateral& q : m_boundary)
@@ -167,7 +167,7 @@ private:
     for (const Vector& p : m_surface_vertices) {
       const auto foot = tree.closest_point_and_primitive(to_point(p));
       const double d = std::sqrt(CGAL::squared_distance(to_point(p), foot.first));
-      if (d > distance) result.push_back({p, d, std::size_t(foot.second - triangles.cbegin()) / 4});
+      if (d >= distance) result.push_back({p, d, std::size_t(foot.second - triangles.cbegin()) / 4});
     }
     return result;
   }
