@@ -41,7 +41,8 @@ struct Hexahedra_optimization {
   int most_sweeps =
       100; ///< over all nodes, in each of some dozens of passes; a node takes part while one around it moves
   double target = 0.52; ///< the least scaled Jacobian for which even sizes and the mean are given up
-  /// how far a node may leave its patch or rim, as a share of the edges around, where the target is not reached otherwise
+  /// how far a node may leave its patch or rim, as a share of the edges around, where the target is not reached otherwise; no
+  /// farther than four fifths of `greatest_distance`
   double surface_tolerance = 0.35;
   /// how far the boundary and the surface may be from each other, in mean sides of boundary quadrilaterals, unless they were
   /// farther in the beginning
@@ -137,8 +138,9 @@ where the surface has a crease; elsewhere nodes move on the patches of both side
 not where they are.
 
 The boundary stays near to the surface: the middles of quadrilaterals and of their sides get no farther from it than four
-fifths of `greatest_distance`, and where vertices of the surface are too far from the quadrilaterals, at tips and at creases
-inside a patch, the nearest nodes are drawn there, as far as hexahedra remain good.
+fifths of `greatest_distance`. Where vertices of the surface are too far from the quadrilaterals, at tips and at creases
+inside a patch, or quadrilaterals from the surface, the nearest nodes are drawn there, as far as hexahedra remain good; what is
+covered then, or was before, remains so while angles are mended.
 
 Nothing warrants that no hexahedron is inverted in the end: where the solid is smooth at a rim, the scaled Jacobian is small,
 and without tolerance tends to zero under refinement, unless there is a layer of hexahedra as `pillow_hexahedra()` makes it.
