@@ -97,6 +97,13 @@ void check_carriers(const Object<K>& object, const Hexahedra<K>& hexahedra) {
   }
 }
 
+// The greatest distance between both boundaries, in mean edges.
+template <typename K>
+double distance_by_edge(const Object<K>& object, const Hexahedra<K>& hexahedra) {
+  const VMP::Hexahedral_fit fit = VMP::measure_hexahedral_fit(object, hexahedra);
+  return std::max(fit.distance_to_solid, fit.distance_from_solid) / fit.edge;
+}
+
 // Random moves tangle the mesh of a block; they are undone, and creases are found again.
 template <typename K>
 void test_untangling(int holes, double edge, double amplitude) {
@@ -110,6 +117,7 @@ void test_untangling(int holes, double edge, double amplitude) {
   assert(report.is_valid() && report.genus == holes);
   assert(report.minimum_scaled_jacobian > 0.5 && report.mean_scaled_jacobian > 0.9);
   check_carriers<K>(object, block.hexahedra);
+  assert(distance_by_edge<K>(object, block.hexahedra) <= VMP::Hexahedra_optimization().greatest_distance);
   assert(VMP::optimize_hexahedra<CGAL::Parallel_if_available_tag>(object, again).ok() &&
          again.points == block.hexahedra.points);
 }
@@ -155,6 +163,25 @@ void test_smooth_wall() {
   for (const VMP::Labelled_quadrilateral& q : block.hexahedra.facets)
     for (std::size_t v : q.vertices) farthest = std::max(farthest, distance_to_boundary(object, block.hexahedra.points[v]));
   assert(farthest > 1e-3 && farthest < 0.35 * 0.5);
+  assert(distance_by_edge<Kernel>(object, block.hexahedra) < 0.5);
+}
+
+// Nodes of two creases inside the wall have slid along it, far enough to cut these off. The creases are covered again, and
+// remain so while angles are mended, whether nodes may leave the surface or not.
+void test_cut_creases() {
+  Block<Kernel> block(0, 0.5);
+  for (Point_3& p : block.hexahedra.points)
+    if (p.x() == 0 && (p.y() == 0 || p.y() == 3)) p = Point_3(0.4, p.y(), p.z());
+  const Object<Kernel> object = block.object();
+  for (double distance : {0.5, 0.25})
+    for (double tolerance : {0., 0.35}) {
+      assert(distance_by_edge<Kernel>(object, block.hexahedra) > distance);
+      Hexahedra<Kernel> hexahedra = block.hexahedra;
+      assert(VMP::optimize_hexahedra(object, hexahedra, {100, 0.9, tolerance, distance}).ok());
+      const VMP::Hexahedra_report report = VMP::verify_hexahedra(hexahedra);
+      assert(report.is_valid() && report.minimum_scaled_jacobian > 0.8);
+      assert(distance_by_edge<Kernel>(object, hexahedra) < distance);
+    }
 }
 
 // Boxes cannot be better, and are left to the bit; so is everything if there are no sweeps.
@@ -306,6 +333,7 @@ int main() {
   test_untangling<Kernel>(2, 0.5, 0.45);
   test_untangling<CGAL::Exact_predicates_exact_constructions_kernel>(1, 0.5, 0.45);
   test_smooth_wall();
+  test_cut_creases();
   test_nothing_to_do();
   test_refused_hexahedra();
   test_refused_parameters();

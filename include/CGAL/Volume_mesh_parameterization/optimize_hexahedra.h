@@ -40,8 +40,9 @@ tells `optimize_hexahedra()` how far to go.
 struct Hexahedra_optimization {
   int most_sweeps =
       100; ///< over all nodes, in each of some dozens of passes; a node takes part while one around it moves
-  double target = 0.5; ///< the least scaled Jacobian for which even sizes and the mean are given up
-  /// how far a node may leave its patch or rim, as a share of the edges around, where the target is not reached otherwise
+  double target = 0.52; ///< the least scaled Jacobian for which even sizes and the mean are given up
+  /// how far a node may leave its patch or rim, as a share of the edges around, where the target is not reached otherwise; no
+  /// farther than four fifths of `greatest_distance`
   double surface_tolerance = 0.35;
   /// how far the boundary and the surface may be from each other, in mean sides of boundary quadrilaterals, unless they were
   /// farther in the beginning
@@ -95,16 +96,6 @@ Status find_carriers(const Carriers_3& carriers, const Hexahedron_soup_3<Point>&
   return {};
 }
 
-// The labelled quadrilaterals with the patches that they are near.
-template <typename Point>
-std::vector<Carried_quadrilateral> carried_quadrilaterals(const Carriers_3& carriers,
-                                                          const Hexahedron_soup_3<Point>& hexahedra) {
-  std::vector<Carried_quadrilateral> result;
-  for (const Labelled_quadrilateral& q : hexahedra.facets)
-    result.push_back({q.vertices, carriers.patch(q.label)});
-  return result;
-}
-
 template <typename GeomTraits>
 std::vector<Eigen::Vector3d> surface_vertices(const Compact_tetrahedral_mesh_3<GeomTraits>& object) {
   std::vector<char> is_on_boundary(object.number_of_vertices(), 0);
@@ -147,8 +138,9 @@ where the surface has a crease; elsewhere nodes move on the patches of both side
 not where they are.
 
 The boundary stays near to the surface: the middles of quadrilaterals and of their sides get no farther from it than four
-fifths of `greatest_distance`, and where vertices of the surface are too far from the quadrilaterals, at tips and at creases
-inside a patch, the nearest nodes are drawn there, as far as hexahedra remain good.
+fifths of `greatest_distance`. Where vertices of the surface are too far from the quadrilaterals, at tips and at creases
+inside a patch, or quadrilaterals from the surface, the nearest nodes are drawn there, as far as hexahedra remain good; what is
+covered then, or was before, remains so while angles are mended.
 
 Nothing warrants that no hexahedron is inverted in the end: where the solid is smooth at a rim, the scaled Jacobian is small,
 and without tolerance tends to zero under refinement, unless there is a layer of hexahedra as `pillow_hexahedra()` makes it.
@@ -192,8 +184,8 @@ Status optimize_hexahedra(const Compact_tetrahedral_mesh_3<GeomTraits>& object,
   if (status.ok()) status = carriers.build(object, !options.slides_over_smooth_rims);
   if (status.ok()) status = internal::find_carriers(carriers, hexahedra, nodes, carrier_of_node);
   if (!status.ok()) return status;
-  internal::Surface_watch watch(internal::carried_quadrilaterals(carriers, hexahedra),
-                                internal::surface_vertices(object), nodes, options.greatest_distance);
+  internal::Surface_watch watch(internal::Hexahedron_facets(hexahedra.hexahedra).boundary, carriers.surface(),
+                                internal::surface_vertices(object), nodes.size(), options.greatest_distance);
   internal::Hexahedra_optimizer<ConcurrencyTag> optimizer(nodes, hexahedra.hexahedra, carrier_of_node, std::move(watch));
   optimizer.run(options.most_sweeps, options.target, options.surface_tolerance);
 

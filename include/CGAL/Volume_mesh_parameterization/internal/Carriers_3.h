@@ -64,7 +64,7 @@ public:
   Status build(const Compact_tetrahedral_mesh_3<GeomTraits>& object, bool has_smooth_rims) {
     const Facet_adjacency surface = boundary_adjacency(object);
     if (!surface.status().ok()) return surface.status();
-    std::vector<Kernel::Triangle_3> triangles;
+    std::vector<Kernel::Triangle_3>& triangles = m_surface.shapes;
     const auto point = [&](Vertex_index v) { return to_point(approximate(object.point(v))); };
     for (Facet_index f : surface.facets()) {
       const Facet_adjacency::Triangle& v = surface.triangle(f);
@@ -85,6 +85,7 @@ public:
                                                                    point(surface.target({f, i})));
       }
     for (Facet_index f : surface.facets()) m_patches[region(object.label(f))].shapes.push_back(triangles[f]);
+    build_tree(m_surface);
     for (auto& patch : m_patches) build_tree(patch.second);
     for (auto* rims : {&m_rims, &m_left_out})
       for (auto& rim : *rims) build_tree(rim.second);
@@ -98,7 +99,8 @@ public:
     const auto rim = m_rims.find(labels), left_out = m_left_out.find(labels);
     const bool has_rim = rim != m_rims.end(), has_left_out = left_out != m_left_out.end();
     if (labels.first != labels.second && !has_rim && !has_left_out) return false;
-    handle = patch(labels.first);
+    handle = Handle();
+    handle.patch = &m_patches.find(region(labels.first))->second;
     if (has_rim && (!has_left_out || distance(rim->second, p) <= distance(left_out->second, p))) {
       handle.patch = nullptr;
       handle.rim = &rim->second;
@@ -106,10 +108,10 @@ public:
     return true;
   }
 
-  // The patch with this label, which there is.
-  Handle patch(int label) const {
+  // All patches together.
+  Handle surface() const {
     Handle handle;
-    handle.patch = &m_patches.find(region(label))->second;
+    handle.patch = &m_surface;
     return handle;
   }
 
@@ -180,6 +182,7 @@ private:
 
   std::vector<int> m_labels; // sorted
   mutable Disjoint_sets m_regions{0};
+  Patch m_surface;
   std::map<int, Patch> m_patches;
   std::map<Labels, Rim> m_rims, m_left_out; // parts of one rim may be in both
 };

@@ -63,27 +63,48 @@ public:
 
   // First with fixed rest lengths, which untangles and spreads the nodes. Then with the edges' own lengths as rest
   // lengths: only angles count, for by the inequality of means the energy is a bound, which the present nodes attain, for
-  // the same function of the scaled Jacobian. What of the surface is left out is covered as long as that helps.
+  // the same function of the scaled Jacobian. Then what of the surface is left out is covered, and angles are mended again;
+  // either undoes a part of the other, so that a round may help after one that does not.
   void run(int most_sweeps, double target, double tolerance) {
-    constexpr int most_rounds = 3;
+    constexpr int most_rounds = 4;
     m_most_sweeps = most_sweeps;
     m_rest_lengths = smooth_edge_lengths(m_nodes, m_hexahedra);
     spread();
     straighten(target, tolerance);
-    std::vector<Vector> best_nodes = m_nodes;
-    Grade best = grade(target);
-    for (int round = 0; round < most_rounds && cover_surface(); ++round) {
+    Best<Grade> best(m_nodes, grade(target));
+    for (int round = 0; round < most_rounds && std::get<1>(best.grade()) > 0; ++round) {
+      cover_surface(target);
       straighten(target, tolerance);
-      if (!(grade(target) < best)) break;
-      best = grade(target);
-      best_nodes = m_nodes;
+      best.offer(m_nodes, grade(target));
     }
-    m_nodes = std::move(best_nodes);
+    m_nodes = best.nodes();
   }
 
   const std::vector<Vector>& nodes() const { return m_nodes; }
 
 private:
+  // The nodes of the least grade that has been offered.
+  template <typename Measure>
+  class Best {
+  public:
+    Best(const std::vector<Vector>& nodes, const Measure& grade) : m_nodes(nodes), m_grade(grade) {}
+
+    // Returns whether that is better.
+    bool offer(const std::vector<Vector>& nodes, const Measure& grade) {
+      if (!(grade < m_grade)) return false;
+      m_nodes = nodes;
+      m_grade = grade;
+      return true;
+    }
+
+    const Measure& grade() const { return m_grade; }
+    const std::vector<Vector>& nodes() const { return m_nodes; }
+
+  private:
+    std::vector<Vector> m_nodes;
+    Measure m_grade;
+  };
+
   // Stages.
 
   // Untangles.
@@ -101,15 +122,15 @@ private:
     raise_mean(target);
   }
 
-  // Draws nodes to what of the surface is too far from the hexahedra; those that do not arrive are free again. Returns
-  // whether there was any such place, unless hexahedra are inverted, which matters more.
-  bool cover_surface() {
+  // Draws nodes to what of the surface is too far from the hexahedra, unless hexahedra are inverted, which matters more. Nodes
+  // that do not arrive are free again, and so are those of hexahedra that fall short of `target`.
+  void cover_surface(double target) {
     constexpr int most_rounds = 8, power = 2;
     constexpr double volume_weight = 0.2, least_gain = 1e-2, good = 0.15;
-    if (badness(1).first > 0) return false;
+    if (std::count(m_inverted.begin(), m_inverted.end(), 1) > 0) return;
+    m_watch.start(m_nodes);
     m_least_allowed = (std::min)(good, least_scaled_jacobian());
-    int round = 0;
-    for (; round < most_rounds; ++round) {
+    for (int round = 0; round < most_rounds; ++round) {
       const std::vector<Drawn_node> drawn = m_watch.nodes_to_draw(m_nodes, m_carriers);
       if (drawn.empty()) break;
       for (const Drawn_node& d : drawn)
@@ -118,8 +139,9 @@ private:
     }
     m_least_allowed = -1;
     for (std::size_t v = 0; v < m_places.size(); ++v)
-      if (!is_at_place(v)) m_places[v].reset();
-    return round > 0;
+      if (!is_at_place(v) || least_scaled_jacobian_around(v) < target) m_places[v].reset();
+    m_is_covered = true;
+    look_at_all();
   }
 
   bool is_at_place(std::size_t v) const { return m_places[v] && *m_places[v] == m_nodes[v]; }
@@ -129,21 +151,16 @@ private:
   void raise_least(double target) {
     constexpr int powers[] = {2, 4, 8, 16, 32}, fewest_sweeps = 10;
     constexpr double volume_weight = 0.2, least_gain = 1e-2, least_share = 0.5;
-    std::vector<Vector> best_nodes = m_nodes;
-    Badness least = badness(target);
+    Best<Quality> best(m_nodes, quality(target));
     for (int power : powers) {
-      m_least_allowed = least.first > 0 ? -1 : -least_share * least.second;
+      const auto [inverted, least, mean] = best.grade();
+      m_least_allowed = inverted > 0 ? -1 : -least_share * least;
       run_pass({power, volume_weight}, least_gain, target, power == powers[0] ? fewest_sweeps : 0);
-      const bool is_worse = least < badness(target);
-      if (!is_worse) {
-        least = badness(target);
-        best_nodes = m_nodes;
-      }
-      if (least_scaled_jacobian() >= target || (is_worse && power > powers[0])) break;
+      const bool is_better = best.offer(m_nodes, quality(target));
+      if (least_scaled_jacobian() >= target || (!is_better && power > powers[0])) break;
     }
     m_least_allowed = -1;
-    m_nodes = std::move(best_nodes);
-    look_at_all();
+    go_back_to(best.nodes());
   }
 
   // The mean is looked after as long as a sweep raises it notably, and the worst hexahedra only kept from becoming worse than
@@ -167,20 +184,22 @@ private:
   void leave_carriers(double target, double tolerance) {
     constexpr int most_rounds = 5, powers[] = {2, 8, 16}, fewest_sweeps = 10;
     constexpr double volume_weight = 0.2, least_gain = 1e-2;
-    std::vector<Vector> best_nodes = m_nodes;
-    Badness least = badness(target);
-    for (int round = 0; round < most_rounds && (least.first > 0 || -least.second < target); ++round) {
+    Best<Quality> best(m_nodes, quality(target));
+    const auto is_inverted = [&] { return std::get<0>(best.grade()) > 0; };
+    for (int round = 0; round < most_rounds && (is_inverted() || -std::get<1>(best.grade()) < target); ++round) {
       for (std::size_t h = 0; h < m_hexahedra.size(); ++h)
         if (m_inverted[h] || m_qualities[h] < target)
-          for (std::size_t v : m_hexahedra[h]) m_slacks[v] = tolerance * (round + 1) / most_rounds * mean_edge(v);
-      if (round % 2 == 1 && least.first > 0) spread();
+          for (std::size_t v : m_hexahedra[h]) m_slacks[v] = slack(v, tolerance * (round + 1) / most_rounds);
+      if (round % 2 == 1 && is_inverted()) spread();
       for (int power : powers) run_pass({power, volume_weight}, least_gain, target, fewest_sweeps);
       look_at_all();
-      if (!(badness(target) < least)) continue;
-      least = badness(target);
-      best_nodes = m_nodes;
+      best.offer(m_nodes, quality(target));
     }
-    m_nodes = std::move(best_nodes);
+    go_back_to(best.nodes());
+  }
+
+  void go_back_to(const std::vector<Vector>& nodes) {
+    m_nodes = nodes;
     look_at_all();
   }
 
@@ -217,6 +236,9 @@ private:
     return std::accumulate(m_qualities.begin(), m_qualities.end(), 0.) / double(m_qualities.size());
   }
 
+  // A share of the edges at v, but no farther than is near to the surface.
+  double slack(std::size_t v, double share) const { return (std::min)(share * mean_edge(v), m_watch.enough()); }
+
   // Of the edges at v, each as often as hexahedra share it.
   double mean_edge(std::size_t v) const {
     double sum = 0;
@@ -236,20 +258,23 @@ private:
       m_inverted[h] = is_inverted(m_nodes, m_hexahedra[h], m_qualities[h]);
     });
     m_watch.start(m_nodes);
+    if (m_is_covered) m_watch.keep_covered(m_nodes);
   }
 
-  // What is to be lessened: the number of inverted hexahedra, then the opposite of the least scaled Jacobian up to `target`.
-  using Badness = std::pair<std::ptrdiff_t, double>;
-  Badness badness(double target) const {
-    return {std::count(m_inverted.begin(), m_inverted.end(), 1), -(std::min)(target, least_scaled_jacobian())};
+  // What is to be lessened: the number of inverted hexahedra, then the opposite of the least scaled Jacobian up to `target`, then
+  // that of the mean.
+  using Quality = std::tuple<std::ptrdiff_t, double, double>;
+  Quality quality(double target) const {
+    return {std::count(m_inverted.begin(), m_inverted.end(), 1), -(std::min)(target, least_scaled_jacobian()),
+            -mean_scaled_jacobian()};
   }
 
   // The lower the better: the number of inverted hexahedra; what the least scaled Jacobian lacks and the distance of the
   // surface exceeds; the opposite of the mean.
   using Grade = std::tuple<std::ptrdiff_t, double, double>;
   Grade grade(double target) const {
-    const Badness b = badness(target);
-    return {b.first, target + b.second + m_watch.excess(m_nodes), -mean_scaled_jacobian()};
+    const auto [inverted, least, mean] = quality(target);
+    return {inverted, target + least + m_watch.excess(m_nodes), mean};
   }
 
   // Steps.
@@ -393,6 +418,7 @@ private:
   double m_least_gain = 0;                           // of energy, for which nodes around are worth trying again
   int m_most_sweeps = 0;                             // in a pass
   std::vector<Vector> m_rest_lengths;                // of each hexahedron along its three axes
+  bool m_is_covered = false;                         // what of the surface was left out is, and has to be from now on
   bool m_has_rest_lengths = true;                    // else an edge's own length serves
   double m_least_allowed = -1;                       // scaled Jacobian
   Corner_energy m_energy;
