@@ -35,7 +35,7 @@ steers the search for a parameterization.
 */
 struct Parameterization_search_options {
   /// no further partition is tried once a map of the boundary has no more energy, see `Boundary_images_3::energy`. 4 is that of
-  /// an isometry; maps of less than 8 were extended to the inside of all solids that were tried, most within seconds
+  /// an isometry; maps of less than 8 were extended to the inside of all solids that were tried but one, most within seconds
   double good_energy = 8;
   std::size_t most_partitions = 6; ///< so many are tried at most, and at least one
   /// so many maps of the boundary, those of least energy, are kept and extended to the inside, until one is. If 0, the first
