@@ -43,7 +43,7 @@ nearly the same line and with walls as broad, is left out.
 template <typename GeomTraits>
 class Partition_sequence_3 {
 public:
-  using Mesh = Compact_tetrahedral_mesh_3<GeomTraits>;              ///< the type of the solids
+  using Mesh = Compact_tetrahedral_mesh_3<GeomTraits>;           ///< the type of the solids
   using Surface = Triangle_soup_3<typename GeomTraits::Point_3>; ///< the type of the surface
 
   /// \param solid a mesh that `check_tetrahedral_mesh()` accepted
@@ -111,9 +111,9 @@ private:
   }
 
   Status take_labels(Mesh& solid) {
-    if (m_is_filled) return no_further_one();
-    m_is_filled = true;
+    if (!m_solid) return no_further_one();
     solid = std::move(*m_solid);
+    m_solid.reset();
     return {};
   }
 
@@ -177,9 +177,9 @@ private:
   }
 
   Partition_options m_options; // of the search that runs
-  Surface m_surface; // unless the mesher cuts its triangles, or the solid was given
+  Surface m_surface;           // unless the mesher cuts its triangles, or the solid was given
   std::size_t m_number_of_cells = 0;
-  std::unique_ptr<Mesh> m_solid; // stays where it is, as a search refers to it
+  std::unique_ptr<Mesh> m_solid; // stays where it is, as a search refers to it; null once its labels are taken
   bool m_is_filled = false, m_is_labelled = false;
   std::unique_ptr<Search> m_search;
   int m_searches = 0;
