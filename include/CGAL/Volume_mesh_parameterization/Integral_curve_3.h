@@ -18,7 +18,6 @@
 #include <array>
 #include <iterator>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -234,54 +233,24 @@ private:
                 OnSegment& on_segment) const {
     for (std::size_t steps = 0; steps <= m_mesh->number_of_cells(); ++steps) {
       const Cell& cell = m_field->cell(at.cell);
-      const auto [exit, time] = exit_of(cell, at, direction);
+      const auto fetch = [&](Cell_index c) { internal::prefetch(&m_field->cell(c)); };
+      const auto [exit, time] = cell.exit_of(at.barycentric, direction, fetch);
       if (exit < 0) return lost(at, "has no facet to leave by");
       const bool stops = duration >= FT(0) && duration - elapsed < time;
       const FT step = stops ? FT(duration - elapsed) : time;
-      Location end = moved(cell, at, FT(int(direction)) * step);
+      Location end{at.cell, cell.moved(at.barycentric, FT(int(direction)) * step)};
       if (!stops) end.barycentric[exit] = FT(0);
       elapsed += step;
       on_segment(at, end, step);
       if (!stops && cell.neighbors[exit].is_valid()) {
-        enter(cell, exit, end, at);
+        at.cell = cell.neighbors[exit];
+        cell.enter_neighbor(exit, end.barycentric, at.barycentric);
         continue;
       }
       at = end;
       return stops ? Status() : arrive(at, exit, direction, arrival);
     }
     return lost(at, "is passed twice");
-  }
-
-  // The facet through which the curve leaves and when; -1 if there is none. The cells to which it may go are fetched
-  // meanwhile.
-  std::pair<int, FT> exit_of(const Cell& cell, const Location& at, Curve_direction direction) const {
-    const internal::Facet_list& facets = direction == DOWN ? cell.entries : cell.exits;
-    int exit = -1;
-    FT least(0);
-    for (int k = 0; k < facets.size(); ++k) {
-      const int i = facets[k];
-      if (cell.neighbors[i].is_valid()) internal::prefetch(&m_field->cell(cell.neighbors[i]));
-      const FT time = FT(int(direction)) * at.barycentric[i] / cell.rates[i];
-      const bool is_first = k == 0 || time < least;
-      exit = is_first ? i : exit;
-      least = is_first ? time : least;
-    }
-    return {exit, least};
-  }
-
-  // Coordinates stay non-negative, and zeros on walls stay.
-  static Location moved(const Cell& cell, const Location& at, const FT& time) {
-    const auto coordinate = [&](int i) {
-      const FT result = at.barycentric[i] - time * cell.rates[i];
-      return result < FT(0) ? FT(0) : result;
-    };
-    return {at.cell, {coordinate(0), coordinate(1), coordinate(2), coordinate(3)}};
-  }
-
-  // The location `at` on facet `exit`, seen from the neighbor.
-  static void enter(const Cell& cell, int exit, const Location& at, Location& result) {
-    result.cell = cell.neighbors[exit];
-    for (int j = 0; j < 4; ++j) result.barycentric[cell.slot_behind(exit, j)] = at.barycentric[j];
   }
 
   Status arrive(const Location& at, int facet, Curve_direction direction, Half_facet& arrival) const {

@@ -15,6 +15,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 
 namespace CGAL {
 namespace Volume_mesh_parameterization {
@@ -79,6 +80,38 @@ struct alignas(cache_line) Curve_cell {
 
   // The slot in the neighbor behind facet `exit` of what is in slot j here.
   int slot_behind(int exit, int j) const { return slots[exit] >> 2 * j & 3; }
+
+  // The facet through which the curve at these barycentric coordinates leaves and when; -1 if there is none. `direction`
+  // is 1 against the rates, towards the floor, and -1 along them. The cells to which it may go are fetched meanwhile.
+  template <typename Fetch>
+  std::pair<int, FT> exit_of(const std::array<FT, 4>& at, int direction, const Fetch& fetch) const {
+    const Facet_list& facets = direction > 0 ? entries : exits;
+    int exit = -1;
+    FT least(0);
+    for (int k = 0; k < facets.size(); ++k) {
+      const int i = facets[k];
+      if (neighbors[i].is_valid()) fetch(neighbors[i]);
+      const FT time = FT(direction) * at[i] / rates[i];
+      const bool is_first = k == 0 || time < least;
+      exit = is_first ? i : exit;
+      least = is_first ? time : least;
+    }
+    return {exit, least};
+  }
+
+  // Against the rates for that long. Coordinates stay non-negative, and zeros on walls stay.
+  std::array<FT, 4> moved(const std::array<FT, 4>& at, const FT& time) const {
+    const auto coordinate = [&](int i) {
+      const FT result = at[i] - time * rates[i];
+      return result < FT(0) ? FT(0) : result;
+    };
+    return {coordinate(0), coordinate(1), coordinate(2), coordinate(3)};
+  }
+
+  // The coordinates `at` on facet `exit`, seen from the neighbor.
+  void enter_neighbor(int exit, const std::array<FT, 4>& at, std::array<FT, 4>& result) const {
+    for (int j = 0; j < 4; ++j) result[slot_behind(exit, j)] = at[j];
+  }
 };
 
 } // namespace internal
