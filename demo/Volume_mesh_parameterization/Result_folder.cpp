@@ -39,14 +39,14 @@ Status Result_folder::write_order(const char* name, const std::vector<VMP::Cell_
   return write_text(name, text);
 }
 
-Status Result_folder::read_order(const char* name, std::vector<VMP::Cell_index>& cells) const {
-  std::ifstream in(file(name));
-  if (!in) return {VMP::ERROR_CANNOT_READ_FILE, file(name)};
+Status read_order(const std::string& file, std::vector<VMP::Cell_index>& cells) {
+  std::ifstream in(file);
+  if (!in) return {VMP::ERROR_CANNOT_READ_FILE, file};
   cells.clear();
   for (long c; in >> c;) {
     if (c < 0 || c >= std::numeric_limits<std::uint32_t>::max())
-      return {VMP::ERROR_INDEX_OUT_OF_RANGE, file(name) + ": line " + std::to_string(cells.size() + 1)};
+      return {VMP::ERROR_INDEX_OUT_OF_RANGE, file + ": line " + std::to_string(cells.size() + 1)};
     cells.emplace_back(c);
   }
-  return in.eof() ? Status() : Status(VMP::ERROR_WRONG_FORMAT, file(name) + ": line " + std::to_string(cells.size() + 1));
+  return in.eof() ? Status() : Status(VMP::ERROR_WRONG_FORMAT, file + ": line " + std::to_string(cells.size() + 1));
 }

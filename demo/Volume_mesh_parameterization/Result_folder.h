@@ -21,8 +21,6 @@ public:
 
   CGAL::Volume_mesh_parameterization::Status
   write_order(const char* name, const std::vector<CGAL::Volume_mesh_parameterization::Cell_index>& order) const;
-  CGAL::Volume_mesh_parameterization::Status
-  read_order(const char* name, std::vector<CGAL::Volume_mesh_parameterization::Cell_index>& order) const;
   CGAL::Volume_mesh_parameterization::Status write_text(const char* name, const std::string& text) const;
 
   static constexpr const char* object = "object.mesh";
@@ -41,5 +39,9 @@ public:
 private:
   std::string m_path;
 };
+
+// Reads cells, one a line, as write_order() of a folder writes them.
+CGAL::Volume_mesh_parameterization::Status
+read_order(const std::string& file, std::vector<CGAL::Volume_mesh_parameterization::Cell_index>& order);
 
 #endif // HANDLEBODY_RESULT_FOLDER_H

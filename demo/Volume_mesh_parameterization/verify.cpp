@@ -47,7 +47,7 @@ Status verify_solid(const Result_folder& folder, const char* file, Mesh& mesh, s
 
 Status verify_order(const Result_folder& folder, const char* file, const Mesh& mesh) {
   std::vector<VMP::Cell_index> order;
-  const Status status = folder.read_order(file, order);
+  const Status status = read_order(folder.file(file), order);
   return status.ok() ? VMP::verify_product(mesh, order) : status;
 }
 

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -78,6 +79,24 @@ public:
     return result;
   }
 
+  // returns which cell of the mesh that was given each cell of this process is.
+  std::vector<PetscInt> original_cells() const {
+    std::vector<PetscInt> result(m_cells.size());
+    std::iota(result.begin(), result.end(), 0);
+    if (m_origin) for_each_remote_cell(m_origin, [&](PetscInt c, const PetscSFNode& original) { result[c] = original.index; });
+    return result;
+  }
+
+  // returns the process that owns each cell of this process, and the number of the cell there.
+  std::vector<PetscSFNode> owners_of_cells() const {
+    std::vector<PetscSFNode> result;
+    for (const Cell& cell : m_cells) result.push_back({rank(), cell.point});
+    PetscSF owners = nullptr;
+    petsc_call(DMGetPointSF(m_plex, &owners));
+    for_each_remote_cell(owners, [&](PetscInt c, const PetscSFNode& owner) { result[c] = owner; });
+    return result;
+  }
+
 private:
   using Vertices = std::vector<PetscInt>;
   using Point = VMP::internal::Cell_gradients::Point_3;
@@ -123,6 +142,19 @@ private:
       petsc_call(DMDestroy(&whole));
     else
       m_plex = whole;
+  }
+
+  // Cells are the first points: their places in cells() are their numbers.
+  template <typename Visit>
+  void for_each_remote_cell(PetscSF connection, const Visit& visit) const {
+    PetscInt number = 0;
+    const PetscInt* points = nullptr;
+    const PetscSFNode* remote = nullptr;
+    petsc_call(PetscSFGetGraph(connection, nullptr, &number, &points, &remote));
+    for (PetscInt k = 0; k < number; ++k) {
+      const PetscInt point = points ? points[k] : k;
+      if (point < PetscInt(m_cells.size())) visit(point, remote[k]);
+    }
   }
 
   void mark_ghosts() {

@@ -1,5 +1,8 @@
-// Computes the three fields of a solid that is distributed over the processes of MPI.
+// Computes the three fields of a solid that is distributed over the processes of MPI, and traces curves through it.
 
+#include "Distributed_curves.h"
+#include "arrivals.h"
+#include "certified_field.h"
 #include "distributed_fields.h"
 
 #include <CGAL/Volume_mesh_parameterization/Dual_potential_3.h>
@@ -32,7 +35,8 @@ constexpr int refused = 1, wrong_usage = 2, not_certified = 3; // as of handlebo
 constexpr double largest_difference = 1e-10;
 
 struct Options {
-  std::string input, output;
+  std::string input, output, order, curves;
+  std::size_t step = 1; // from seed to seed
   bool checks = false;
 };
 
@@ -160,6 +164,30 @@ Status finish(const Options& options, const Mesh& mesh, const Fields& fields, Js
   return status.ok() ? check_differences(differences) : status;
 }
 
+Json report_curves(const std::vector<Arrival>& arrivals, const Distributed_curves::Costs& costs) {
+  std::size_t cells = 0;
+  for (const Arrival& a : arrivals) cells += a.cells;
+  return {{"curves", arrivals.size()},   {"cells", cells},
+          {"rounds", costs.rounds},      {"crossings", costs.crossings},
+          {"messages", costs.messages},  {"bytes_sent", costs.bytes_sent},
+          {"seconds", costs.seconds}};
+}
+
+// The first process has the field and the seeds, and gets the arrivals.
+bool trace_curves(const Options& options, const Mesh& mesh, const Distributed_mesh& distributed, Json& report) {
+  Curve_field field;
+  if (!succeeds(is_first() ? make_certified_field(mesh, options.order, field) : Status())) return false;
+  Distributed_curves distributed_curves(distributed, field);
+  const Integral_curves curves(mesh, field);
+  const std::vector<Base_point> seeds = floor_centroids(mesh, options.step);
+  const std::vector<Arrival> arrivals = trace_arrivals(curves, seeds, distributed_curves);
+  report["curves"] = report_curves(arrivals, distributed_curves.costs());
+  Status status;
+  if (is_first()) status = write_arrivals(options.curves, seeds, arrivals);
+  if (status.ok() && options.checks) status = compare_arrivals(curves, seeds, arrivals);
+  return succeeds(status);
+}
+
 int run(const Options& options) {
   Mesh mesh;
   if (!succeeds(is_first() ? read(options.input, mesh) : Status())) return refused;
@@ -175,22 +203,37 @@ int run(const Options& options) {
   for (const Solution_report& r : reports) report[r.name] = report_solution(r);
   Status status = check_solutions(reports);
   if (is_first() && status.ok()) status = finish(options, mesh, fields, report);
+  bool is_done = succeeds(status);
+  if (is_done && !options.curves.empty()) is_done = trace_curves(options, mesh, distributed, report);
   if (is_first()) std::cout << report.dump(2) << std::endl;
-  return succeeds(status) ? 0 : not_certified;
+  return is_done ? 0 : not_certified;
 }
 
 int parse_and_run(int argc, char** argv) {
   CLI::App app("computes the harmonic function, the dual potential and the flux of a solid, distributed over\n"
-               "the processes of MPI, and prints as JSON what that took");
+               "the processes of MPI, traces curves through it, and prints as JSON what that took");
   Options options;
   app.add_option("INPUT", options.input,
                  "tetrahedra in MEDIT format with a labelled boundary: object.mesh of handlebody")
       ->required();
   app.add_option("-o", options.output, "a VTU file to write: the solid with the fields");
-  app.add_flag("--check", options.checks, "compare with what the library computes in one process");
-  app.footer("PETSc takes its own options from the environment variable PETSC_OPTIONS.\n"
+  CLI::Option* curves =
+      app.add_option("--curves", options.curves, "a text file to write: where the curves of the certified field arrive")
+          ->type_name("FILE");
+  app.add_option("--order", options.order, "its certificate: order.txt of handlebody; without it, INPUT is swept")
+      ->needs(curves);
+  app.add_option("--seeds", options.step, "trace a curve for every N-th triangle of the floor")
+      ->type_name("N")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str()
+      ->needs(curves);
+  app.add_flag("--check", options.checks, "compare with what the library computes in one process, curves to the bit");
+  app.footer("Curves start at the centroid of a triangle of the floor. FILE has a line `seed facet b0 b1 b2 level cells` for\n"
+             "each: this triangle and that of the ceiling where it arrives, by their places in object.mesh, from 0; the\n"
+             "barycentric coordinates there; what the level function has gained; the number of cells passed.\n"
+             "PETSc takes its own options from the environment variable PETSC_OPTIONS.\n"
              "Exit: 0 the fields are computed, 1 INPUT is refused, 2 wrong usage, 3 a system was not solved,\n"
-             "the output not written, or the check failed.");
+             "an output not written, the order is none, or the check failed.");
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
