@@ -8,10 +8,11 @@
 #include <petscdmswarm.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <type_traits>
-#include <utility>
+#include <unordered_map>
 #include <vector>
 
 // The curves of a certified field, from the floor to the ceiling of a distributed mesh. Each process follows them through
@@ -31,6 +32,7 @@ public:
   // What tracing took, in all processes together.
   struct Costs {
     long long rounds = 0, crossings = 0; // a crossing leads from a cell of one process to one of another
+    long long moves = 0;                 // those, and the ways from and to the first process
     double messages = 0, bytes_sent = 0, seconds = 0;
   };
 
@@ -39,6 +41,7 @@ public:
       : m_originals(mesh.original_cells()), m_owners(mesh.owners_of_cells()), m_cells(m_owners.size()) {
     connect_with_originals();
     receive_cells(field);
+    send_owners();
     create_swarm();
   }
   ~Distributed_curves() {
@@ -52,11 +55,13 @@ public:
   // mesh; in the others both are empty.
   std::vector<Curve> trace(const std::vector<Location>& starts) {
     const double start = MPI_Wtime(), messages = petsc_isend_ct, bytes = petsc_isend_len;
-    sow(starts);
+    long long leaving = sow(starts);
     do {
       petsc_call(DMSwarmMigrate(m_swarm, PETSC_TRUE));
       ++m_costs.rounds;
-    } while (advance() > 0);
+      m_costs.moves += leaving;
+      leaving = advance();
+    } while (leaving > 0);
     m_costs.crossings = sum(m_costs.crossings, MPI_LONG_LONG);
     m_costs.messages = sum(petsc_isend_ct - messages, MPI_DOUBLE);
     m_costs.bytes_sent = sum(petsc_isend_len - bytes, MPI_DOUBLE);
@@ -68,7 +73,8 @@ public:
 
 private:
   using Cell = VMP::internal::Curve_cell<double>;
-  static_assert(std::is_trivially_copyable_v<Curve> && std::is_trivially_copyable_v<Cell>, "they are sent as bytes");
+  static_assert(std::is_trivially_copyable_v<Curve> && std::is_trivially_copyable_v<Cell>,
+                "they are sent as bytes");
 
   // The particles of this process, as arrays of PETSc.
   class Particles {
@@ -76,7 +82,8 @@ private:
     explicit Particles(DM swarm) : m_swarm(swarm) {
       petsc_call(DMSwarmGetLocalSize(swarm, &m_size));
       petsc_call(DMSwarmGetField(swarm, "curve", nullptr, nullptr, reinterpret_cast<void**>(&curves)));
-      petsc_call(DMSwarmGetField(swarm, DMSwarmField_rank, nullptr, nullptr, reinterpret_cast<void**>(&ranks)));
+      petsc_call(
+          DMSwarmGetField(swarm, DMSwarmField_rank, nullptr, nullptr, reinterpret_cast<void**>(&ranks)));
     }
     ~Particles() {
       DMSwarmRestoreField(m_swarm, "curve", nullptr, nullptr, reinterpret_cast<void**>(&curves));
@@ -109,8 +116,9 @@ private:
     for (const PetscSFNode& owner : m_owners) number_of_own += owner.rank == m_rank;
     m_number_of_originals = PetscInt(sum(number_of_own, MPI_LONG_LONG));
     petsc_call(PetscSFCreate(PETSC_COMM_WORLD, &m_connection));
-    petsc_call(PetscSFSetGraph(m_connection, m_rank == 0 ? m_number_of_originals : 0, PetscInt(originals.size()), nullptr,
-                               PETSC_OWN_POINTER, originals.data(), PETSC_COPY_VALUES));
+    petsc_call(PetscSFSetGraph(m_connection, m_rank == 0 ? m_number_of_originals : 0,
+                               PetscInt(originals.size()), nullptr, PETSC_OWN_POINTER, originals.data(),
+                               PETSC_COPY_VALUES));
   }
 
   void receive_cells(const Field& field) {
@@ -124,15 +132,20 @@ private:
     number_neighbors();
   }
 
+  void send_owners() {
+    m_owners_of_originals.resize(m_rank == 0 ? m_number_of_originals : 0);
+    PetscSFNode* originals = m_owners_of_originals.data();
+    petsc_call(PetscSFReduceBegin(m_connection, MPIU_2INT, m_owners.data(), originals, MPI_REPLACE));
+    petsc_call(PetscSFReduceEnd(m_connection, MPIU_2INT, m_owners.data(), originals, MPI_REPLACE));
+  }
+
   // Neighbors come with the numbers of the whole mesh. Those of ghosts are not needed, and may be unknown here.
   void number_neighbors() {
-    std::vector<std::pair<PetscInt, std::size_t>> numbers; // in the whole mesh and here
-    for (std::size_t c = 0; c < m_originals.size(); ++c) numbers.emplace_back(m_originals[c], c);
-    std::sort(numbers.begin(), numbers.end());
+    std::unordered_map<PetscInt, std::size_t> places;
+    for (std::size_t c = 0; c < m_originals.size(); ++c) places[m_originals[c]] = c;
     for (std::size_t c = 0; c < m_cells.size(); ++c)
       for (VMP::Cell_index& n : m_cells[c].neighbors)
-        if (m_owners[c].rank == m_rank && n.is_valid())
-          n = VMP::Cell_index(std::lower_bound(numbers.begin(), numbers.end(), std::make_pair(PetscInt(n), std::size_t(0)))->second);
+        if (m_owners[c].rank == m_rank && n.is_valid()) n = VMP::Cell_index(places.at(PetscInt(n)));
   }
 
   void create_swarm() {
@@ -144,33 +157,35 @@ private:
     petsc_call(DMSwarmFinalizeFieldRegister(m_swarm));
   }
 
-  // All curves begin as particles of the first process.
-  void sow(const std::vector<Location>& starts) {
-    std::vector<PetscSFNode> owners(m_rank == 0 ? m_number_of_originals : 0);
-    petsc_call(PetscSFReduceBegin(m_connection, MPIU_2INT, m_owners.data(), owners.data(), MPI_REPLACE));
-    petsc_call(PetscSFReduceEnd(m_connection, MPIU_2INT, m_owners.data(), owners.data(), MPI_REPLACE));
+  // All curves begin as particles of the first process. Returns how many are to migrate.
+  long long sow(const std::vector<Location>& starts) {
     petsc_call(DMSwarmSetLocalSizes(m_swarm, PetscInt(starts.size()), 0));
     const Particles particles(m_swarm);
     for (std::size_t k = 0; k < starts.size(); ++k) {
-      const PetscSFNode& owner = owners[starts[k].cell];
-      particles.curves[k] = {{VMP::Cell_index(owner.index), starts[k].barycentric}, 0, std::uint32_t(k), 0, -1};
+      const PetscSFNode& owner = m_owners_of_originals[starts[k].cell];
+      const Location start{VMP::Cell_index(owner.index), starts[k].barycentric};
+      particles.curves[k] = {start, 0, std::uint32_t(k), 0, -1};
       particles.ranks[k] = owner.rank;
     }
+    return count_leaving(particles);
   }
 
-  // Follows the curves that are here; returns how many are to migrate, in all processes.
+  // Follows the curves that are here; returns how many are to migrate.
   long long advance() {
     const Particles particles(m_swarm);
-    long long leaving = 0;
-    for (PetscInt k = 0; k < particles.size(); ++k) {
+    for (PetscInt k = 0; k < particles.size(); ++k)
       if (particles.curves[k].arrival < 0) particles.ranks[k] = follow(particles.curves[k]);
-      leaving += particles.ranks[k] != m_rank;
-    }
-    return sum(leaving, MPI_LONG_LONG);
+    return count_leaving(particles);
   }
 
-  // As Integral_curves_3 does. In a certified field every cell has an exit, none is passed twice, and those on the boundary
-  // are on the ceiling. Returns where the particle is to be next: what has arrived, in the first process.
+  // In all processes.
+  long long count_leaving(const Particles& particles) const {
+    const auto here = std::count(particles.ranks, particles.ranks + particles.size(), m_rank);
+    return sum(static_cast<long long>(particles.size() - here), MPI_LONG_LONG);
+  }
+
+  // As Integral_curves_3 does. In a certified field every cell has an exit, no curve passes a cell twice, and exits on the
+  // boundary are on the ceiling. Returns where the particle is to be next: if it has arrived, in the first process.
   PetscInt follow(Curve& curve) {
     Curve here = curve;
     PetscInt next = m_rank;
@@ -182,7 +197,8 @@ private:
       end[exit] = 0;
       here.level += time;
       ++here.cells;
-      next = cell.neighbors[exit].is_valid() ? enter_neighbor(cell, exit, end, here.at) : arrive(exit, end, here);
+      next = cell.neighbors[exit].is_valid() ? enter_neighbor(cell, exit, end, here.at)
+                                             : arrive(exit, end, here);
     }
     curve = here;
     return next;
@@ -215,6 +231,7 @@ private:
   std::vector<Cell> m_cells;         // those of ghosts are not used
   PetscSF m_connection = nullptr;    // of the cells with their originals
   PetscInt m_number_of_originals = 0;
+  std::vector<PetscSFNode> m_owners_of_originals; // in the first process
   DM m_swarm = nullptr;
   Costs m_costs;
 };

@@ -83,7 +83,9 @@ public:
   std::vector<PetscInt> original_cells() const {
     std::vector<PetscInt> result(m_cells.size());
     std::iota(result.begin(), result.end(), 0);
-    if (m_origin) for_each_remote_cell(m_origin, [&](PetscInt c, const PetscSFNode& original) { result[c] = original.index; });
+    if (m_origin)
+      for_each_remote_cell(m_origin,
+                           [&](PetscInt c, const PetscSFNode& original) { result[c] = original.index; });
     return result;
   }
 

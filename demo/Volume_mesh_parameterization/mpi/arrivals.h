@@ -24,7 +24,8 @@ struct Arrival {
 };
 
 inline bool operator==(const Arrival& a, const Arrival& b) {
-  return a.end.facet == b.end.facet && a.end.barycentric == b.end.barycentric && a.level == b.level && a.cells == b.cells;
+  return a.end.facet == b.end.facet && a.end.barycentric == b.end.barycentric && a.level == b.level &&
+         a.cells == b.cells;
 }
 
 // The centroid of every `step`-th triangle of the floor.
@@ -66,7 +67,8 @@ inline VMP::Status compare_arrivals(const Integral_curves& curves, const std::ve
     Arrival alone;
     status = trace_alone(curves, seeds[k], alone);
     if (status.ok() && !(alone == arrivals[k]))
-      status = {VMP::ERROR_CURVE_LOST, "that of triangle " + std::to_string(seeds[k].facet) + " arrives elsewhere in one process"};
+      status = {VMP::ERROR_CURVE_LOST,
+                "triangle " + std::to_string(seeds[k].facet) + ": not as in one process"};
   }
   return status;
 }

@@ -167,14 +167,14 @@ Status finish(const Options& options, const Mesh& mesh, const Fields& fields, Js
 Json report_curves(const std::vector<Arrival>& arrivals, const Distributed_curves::Costs& costs) {
   std::size_t cells = 0;
   for (const Arrival& a : arrivals) cells += a.cells;
-  return {{"curves", arrivals.size()},   {"cells", cells},
-          {"rounds", costs.rounds},      {"crossings", costs.crossings},
-          {"messages", costs.messages},  {"bytes_sent", costs.bytes_sent},
-          {"seconds", costs.seconds}};
+  return {{"curves", arrivals.size()},      {"cells", cells},          {"rounds", costs.rounds},
+          {"crossings", costs.crossings},   {"moves", costs.moves},    {"messages", costs.messages},
+          {"bytes_sent", costs.bytes_sent}, {"seconds", costs.seconds}};
 }
 
 // The first process has the field and the seeds, and gets the arrivals.
-bool trace_curves(const Options& options, const Mesh& mesh, const Distributed_mesh& distributed, Json& report) {
+bool trace_curves(const Options& options, const Mesh& mesh, const Distributed_mesh& distributed,
+                  Json& report) {
   Curve_field field;
   if (!succeeds(is_first() ? make_certified_field(mesh, options.order, field) : Status())) return false;
   Distributed_curves distributed_curves(distributed, field);
@@ -209,6 +209,20 @@ int run(const Options& options) {
   return is_done ? 0 : not_certified;
 }
 
+void add_curve_options(CLI::App& app, Options& options) {
+  CLI::Option* curves =
+      app.add_option("--curves", options.curves, "a text file to write: where certified curves arrive")
+          ->type_name("FILE");
+  app.add_option("--order", options.order,
+                 "their certificate: order.txt of handlebody; without it, INPUT is swept as it is")
+      ->needs(curves);
+  app.add_option("--seeds", options.step, "trace a curve for every N-th triangle of the floor")
+      ->type_name("N")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str()
+      ->needs(curves);
+}
+
 int parse_and_run(int argc, char** argv) {
   CLI::App app("computes the harmonic function, the dual potential and the flux of a solid, distributed over\n"
                "the processes of MPI, traces curves through it, and prints as JSON what that took");
@@ -217,23 +231,15 @@ int parse_and_run(int argc, char** argv) {
                  "tetrahedra in MEDIT format with a labelled boundary: object.mesh of handlebody")
       ->required();
   app.add_option("-o", options.output, "a VTU file to write: the solid with the fields");
-  CLI::Option* curves =
-      app.add_option("--curves", options.curves, "a text file to write: where the curves of the certified field arrive")
-          ->type_name("FILE");
-  app.add_option("--order", options.order, "its certificate: order.txt of handlebody; without it, INPUT is swept")
-      ->needs(curves);
-  app.add_option("--seeds", options.step, "trace a curve for every N-th triangle of the floor")
-      ->type_name("N")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str()
-      ->needs(curves);
-  app.add_flag("--check", options.checks, "compare with what the library computes in one process, curves to the bit");
-  app.footer("Curves start at the centroid of a triangle of the floor. FILE has a line `seed facet b0 b1 b2 level cells` for\n"
-             "each: this triangle and that of the ceiling where it arrives, by their places in object.mesh, from 0; the\n"
-             "barycentric coordinates there; what the level function has gained; the number of cells passed.\n"
+  add_curve_options(app, options);
+  app.add_flag("--check", options.checks, "compare with what the library computes alone, curves to the bit");
+  app.footer("Curves start at the centroid of a triangle of the floor. For each, FILE has a line\n"
+             "    seed facet b0 b1 b2 level cells\n"
+             "with this triangle and that of the ceiling where it arrives, by their places in object.mesh, from 0;\n"
+             "the barycentric coordinates there; the gain of the level function; the number of cells passed.\n"
              "PETSc takes its own options from the environment variable PETSC_OPTIONS.\n"
              "Exit: 0 the fields are computed, 1 INPUT is refused, 2 wrong usage, 3 a system was not solved,\n"
-             "an output not written, the order is none, or the check failed.");
+             "the order is not certified, an output not written, or the check failed.");
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
