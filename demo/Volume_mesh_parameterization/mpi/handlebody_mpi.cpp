@@ -218,7 +218,7 @@ void add_curve_options(CLI::App& app, Options& options) {
       ->needs(curves);
   app.add_option("--seeds", options.step, "trace a curve for every N-th triangle of the floor")
       ->type_name("N")
-      ->check(CLI::PositiveNumber)
+      ->check(CLI::Range(std::size_t(1), Mesh::most_cells).description("from 1"))
       ->capture_default_str()
       ->needs(curves);
 }
