@@ -9,6 +9,7 @@
 
 #include <CGAL/Volume_mesh_parameterization/Direct_product_3.h>
 #include <CGAL/Volume_mesh_parameterization/IO/VTU.h>
+#include <CGAL/Volume_mesh_parameterization/compute_charts.h>
 
 #include "threads.h"
 
@@ -24,6 +25,7 @@
 using Product = VMP::Direct_product_3<Kernel>;
 using Curves = Product::Curves;
 using Location = Curves::Location;
+using Chart = VMP::Curve_chart_3<Kernel>;
 using Tag = CGAL::Parallel_if_available_tag;
 using VMP::Status;
 
@@ -60,12 +62,6 @@ struct Metering_visitor {
   Stage_meter* meter;
 };
 
-// Where the curve of a vertex begins, and how far up the vertex is.
-struct Chart {
-  Curves::Base_point floor;
-  double below, above;
-};
-
 std::vector<Location> locations_of_vertices(const Mesh& mesh) {
   std::vector<Location> locations(mesh.number_of_vertices());
   for (VMP::Cell_index c : mesh.cells())
@@ -75,17 +71,6 @@ std::vector<Location> locations_of_vertices(const Mesh& mesh) {
       location.barycentric[i] = 1;
     }
   return locations;
-}
-
-Status compute_charts(const Curves& curves, const std::vector<Location>& locations,
-                      std::vector<Chart>& charts) {
-  charts.resize(locations.size());
-  return VMP::internal::try_each_index<Tag>(locations.size(), [&](std::size_t i) {
-    Curves::Base_point ceiling;
-    Status status = curves.trace_to_base(locations[i], VMP::DOWN, charts[i].floor, charts[i].below);
-    if (status.ok()) status = curves.trace_to_base(locations[i], VMP::UP, ceiling, charts[i].above);
-    return status;
-  });
 }
 
 // How many curves arrive, upwards and downwards, the cells that they pass, without those that they only touch, and their
@@ -110,9 +95,17 @@ Json measure_curves(const Mesh& mesh, const Curves& curves, const std::vector<Lo
           {"length", length}};
 }
 
+// Seeds are sorted before.
 Json trace(const Mesh& mesh, const Curves& curves, const std::vector<Location>& locations) {
-  std::vector<Chart> charts;
-  Json cost = measure([&] { static_cast<void>(compute_charts(curves, locations, charts)); });
+  const auto order = VMP::internal::order_by_feet(mesh, curves.field(), locations.size(),
+                                                  [&](std::size_t i) { return locations[i].cell; });
+  std::vector<Chart> charts(locations.size());
+  const auto seed = [&](std::size_t k) { return locations[order[k]]; };
+  const auto keep = [&](std::size_t k, const Chart& chart) {
+    charts[order[k]] = chart;
+    return true;
+  };
+  Json cost = measure([&] { static_cast<void>(VMP::internal::for_each_chart<Tag>(curves, order.size(), seed, keep)); });
   cost.update(measure_curves(mesh, curves, locations));
   return cost;
 }
@@ -183,7 +176,7 @@ Status run(int argc, char** argv, Json& result) {
   if (!status.ok()) return status;
   meter.start("compute the charts of all vertices");
   locations = locations_of_vertices(product.mesh());
-  status = compute_charts(product.curves(), locations, charts);
+  status = VMP::compute_charts<Tag>(product.curves(), locations, charts);
   meter.finish();
 
   result = {{"cells", soup.cells.size()},

@@ -210,6 +210,19 @@ private:
   }
 };
 
+// Fields given cell by cell as rates: they may lose their curves.
+using Rates = std::vector<std::array<double, 4>>;
+
+struct Given_flux {
+  Rates values;
+  const std::array<double, 4>& rates(CGAL::Volume_mesh_parameterization::Cell_index c) const { return values[c]; }
+  std::array<std::int8_t, 4> signs(CGAL::Volume_mesh_parameterization::Cell_index c) const {
+    std::array<std::int8_t, 4> result;
+    for (int i = 0; i < 4; ++i) result[i] = std::int8_t((values[c][i] > 0) - (values[c][i] < 0));
+    return result;
+  }
+};
+
 // The facets of the floor.
 template <typename Mesh>
 std::vector<CGAL::Volume_mesh_parameterization::Facet_index> floor_facets(const Mesh& mesh) {

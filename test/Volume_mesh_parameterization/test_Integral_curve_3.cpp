@@ -157,19 +157,6 @@ private:
   Random m_random{11};
 };
 
-// Fields that lose their curves, given cell by cell as rates.
-using Rates = std::vector<std::array<double, 4>>;
-
-struct Given_flux {
-  Rates values;
-  const std::array<double, 4>& rates(VMP::Cell_index c) const { return values[c]; }
-  std::array<std::int8_t, 4> signs(VMP::Cell_index c) const {
-    std::array<std::int8_t, 4> result;
-    for (int i = 0; i < 4; ++i) result[i] = std::int8_t((values[c][i] > 0) - (values[c][i] < 0));
-    return result;
-  }
-};
-
 VMP::Status trace_up(const Swept_solid<Inexact>& solid, const Rates& rates, VMP::Cell_index start) {
   const VMP::Curve_field_3<Inexact> field(solid.mesh, Given_flux{rates}, solid.harmonic);
   const VMP::Integral_curves_3<Inexact> curves(solid.mesh, field);

@@ -12,6 +12,7 @@
 
 #include <CGAL/Volume_mesh_parameterization/Floor_map_2.h>
 #include <CGAL/Volume_mesh_parameterization/Integral_curve_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Chart_tracer.h>
 #include <CGAL/Volume_mesh_parameterization/internal/for_each_index.h>
 #include <CGAL/Volume_mesh_parameterization/internal/order_by_feet.h>
 
@@ -144,7 +145,15 @@ private:
   template <typename ConcurrencyTag, typename LocationOf>
   Status trace_each(std::size_t n, std::vector<Point_3>& result, const LocationOf& location) const {
     const auto order = internal::order_by_feet(mesh(), m_curves.field(), n, [&](std::size_t i) { return location(i).cell; });
-    return map_each<ConcurrencyTag>(order, result, [&](std::size_t i, Point_3& q) { return image(location(i), q); });
+    std::vector<Point_3> values(n);
+    const auto place = [&](std::size_t k) { return location(order[k]); };
+    const auto map = [&](std::size_t k, const Curve_chart_3<GeomTraits>& chart) {
+      return domain().point(m_floor_map->image(chart.floor), chart.share(), values[order[k]]).ok();
+    };
+    if (!internal::for_each_chart<ConcurrencyTag>(m_curves, n, place, map)) // once more, to know which one fails
+      return map_each<ConcurrencyTag>(order, result, [&](std::size_t i, Point_3& q) { return image(location(i), q); });
+    result = std::move(values);
+    return {};
   }
 
   template <typename ConcurrencyTag, typename Order, typename Result, typename Map>
