@@ -189,7 +189,7 @@ private:
       return status;
     };
     Product_structure structure;
-    Status status = sweep_with_repairs(m_mesh, guide, structure, m_sweep_report);
+    Status status = sweep_with_repairs<ConcurrencyTag>(m_mesh, guide, structure, m_sweep_report);
     if (status.ok()) status = verify_product<ConcurrencyTag>(m_mesh, structure.order());
     if (status.ok()) m_structure.emplace(std::move(structure));
     return status;

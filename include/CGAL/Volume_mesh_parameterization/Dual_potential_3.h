@@ -79,9 +79,12 @@ public:
     const Status status = internal::compute_volumes(*m_mesh, volumes);
     if (!status.ok()) return status;
     const internal::Dual_matrix matrix(*m_mesh, volumes);
-    Eigen::VectorXd means(matrix.size), correction;
+    Eigen::VectorXd means(matrix.size), correction, quotients;
     for (Cell_index c : m_mesh->cells()) means[c] = mean_over_cell(c, values);
-    const auto precondition = [&](const Eigen::VectorXd& x) { return matrix.divide_by_diagonal(x); };
+    const auto precondition = [&](const Eigen::VectorXd& x) -> const Eigen::VectorXd& {
+      matrix.divide_by_diagonal(x, quotients);
+      return quotients;
+    };
     internal::solve_by_conjugate_gradients(matrix, precondition, matrix.residual(means), tolerance, steps, correction);
     means += correction;
     m_values.assign(means.begin(), means.end());

@@ -70,7 +70,7 @@ public:
     if (!status.ok()) return status;
     m_residual = problem.residual();
     compute_fluxes(problem.values());
-    finish();
+    finish(volumes);
     return {};
   }
 
@@ -82,13 +82,11 @@ public:
   /// \pre `harmonic_function` is solved
   template <typename Harmonic_function>
   void equilibrate(const Harmonic_function& harmonic_function) {
-    std::vector<double> volumes;
-    for (Cell_index c : m_mesh->cells()) volumes.push_back(internal::Cell_gradients(*m_mesh, c).volume);
+    const std::vector<double> volumes = internal::volumes(*m_mesh);
     m_residual = harmonic_function.residual();
-    const auto gradient = [&](Cell_index c) { return harmonic_function.gradient(c); };
-    m_fluxes = internal::Flux_equilibration<Mesh>(*m_mesh).fluxes(gradient);
+    m_fluxes = internal::Flux_equilibration<Mesh>(*m_mesh).fluxes(harmonic_function.values());
     internal::Circulation_relaxation<Mesh>(*m_mesh, volumes, m_fluxes).run(relaxation_rounds);
-    finish();
+    finish(volumes);
   }
 
   /// returns the flux through `f` from the cell of `half_facet(f)` to the other one, or outwards on the boundary.
@@ -168,11 +166,11 @@ private:
     }
   }
 
-  void finish() {
+  void finish(const std::vector<double>& volumes) {
     m_largest_divergence = compute_largest_divergence();
     remove_noise();
     remove_dead_ends();
-    compute_rates();
+    compute_rates(volumes);
   }
 
   double compute_largest_divergence() const {
@@ -188,6 +186,7 @@ private:
 
   void remove_noise() {
     std::vector<double> areas;
+    areas.reserve(m_mesh->number_of_facets());
     double largest_density = 0;
     for (Facet_index f : m_mesh->facets()) {
       areas.push_back(std::sqrt(internal::squared_area(*m_mesh, f)));
@@ -221,11 +220,10 @@ private:
     }
   }
 
-  void compute_rates() {
+  void compute_rates(const std::vector<double>& volumes) {
     m_rates.resize(m_mesh->number_of_cells());
     for (Cell_index c : m_mesh->cells()) {
-      const double volume = internal::Cell_gradients(*m_mesh, c).volume;
-      for (int i = 0; i < 4; ++i) m_rates[c][i] = inflow({c, i}) / (3 * volume);
+      for (int i = 0; i < 4; ++i) m_rates[c][i] = inflow({c, i}) / (3 * volumes[c]);
       m_rates[c] = internal::balance_rates(m_rates[c]);
     }
   }

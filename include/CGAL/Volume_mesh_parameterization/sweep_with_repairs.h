@@ -14,10 +14,12 @@
 #include <CGAL/Volume_mesh_parameterization/Product_structure_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Refinable_order.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Sweep.h>
+#include <CGAL/Volume_mesh_parameterization/internal/for_each_index.h>
 #include <CGAL/Volume_mesh_parameterization/internal/geometric_order.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <string>
 #include <utility>
 #include <vector>
@@ -40,7 +42,7 @@ struct Sweep_report {
 
 namespace internal {
 
-template <typename GeomTraits, typename Guide>
+template <typename ConcurrencyTag, typename GeomTraits, typename Guide>
 class Sweep_repair {
 public:
   using Mesh = Compact_tetrahedral_mesh_3<GeomTraits>;
@@ -75,12 +77,20 @@ private:
   // By how much a cell that was left behind is preferred from then on; the potential runs from 0 to 1.
   static constexpr double lesson = 0.002;
 
-  // Potentials that differ by the rounding of a solver count as equal, and geometry decides.
-  Status make_guide(Sweep_guide_3& guide) const {
-    const Status status = m_make_guide(m_mesh, guide);
+  // Potentials that differ by the rounding of a solver count as equal, and geometry decides. What needs no fields is made at the
+  // same time as these.
+  Status make_guide(Sweep_guide_3& guide) {
+    std::vector<std::uint32_t> ranks;
+    const auto make = [&](std::size_t i) {
+      if (i == 0) return m_make_guide(m_mesh, guide);
+      ranks = geometric_ranks(m_mesh);
+      m_edges = Edge_numbering(m_mesh);
+      return Status();
+    };
+    const Status status = try_each_index<Concurrency_for<ConcurrencyTag, typename GeomTraits::FT>>(2, make, 1);
     if (!status.ok()) return status;
     for (double& p : guide.potential) p = std::round(p / rounding_share) * rounding_share;
-    guide.ranks = geometric_ranks(m_mesh);
+    guide.ranks = std::move(ranks);
     return {};
   }
 
@@ -98,16 +108,14 @@ private:
   }
 
   std::vector<Cell_index> from_floor(const std::vector<Cell_index>& beginning, const Sweep_guide_3& guide) const {
-    const Edge_numbering edges(m_mesh);
-    Sweep<GeomTraits> sweep(m_mesh, edges, FLOOR);
+    Sweep<GeomTraits> sweep(m_mesh, m_edges, FLOOR);
     for (Cell_index c : beginning) sweep.sweep(c);
     sweep.run(guide);
     return sweep.order();
   }
 
   bool from_ceiling(const Sweep_guide_3& guide, std::vector<Cell_index>& order) {
-    const Edge_numbering edges(m_mesh);
-    Sweep<GeomTraits> sweep(m_mesh, edges, CEILING);
+    Sweep<GeomTraits> sweep(m_mesh, m_edges, CEILING);
     sweep.run(guide);
     m_report.from_ceiling = sweep.is_complete();
     if (m_report.from_ceiling) order.assign(sweep.order().rbegin(), sweep.order().rend());
@@ -118,10 +126,9 @@ private:
   // with what was learned. Cells that were left get an earlier turn, and so do their swept neighbours, half as much.
   // `order` keeps the longest order from the floor.
   bool restart(Sweep_guide_3 guide, std::vector<Cell_index>& order) {
-    const Edge_numbering edges(m_mesh);
     while (m_report.restarts < most_restarts) {
       ++m_report.restarts;
-      Sweep<GeomTraits> up(m_mesh, edges, FLOOR), down(m_mesh, edges, CEILING);
+      Sweep<GeomTraits> up(m_mesh, m_edges, FLOOR), down(m_mesh, m_edges, CEILING);
       up.run(guide);
       for (Cell_index c : up.order()) down.exclude(c);
       down.run(guide);
@@ -161,15 +168,14 @@ private:
 
   std::vector<Edge_numbering::Ends> edges_of_cells_left(const std::vector<Cell_index>& order) const {
     const std::vector<char> is_swept = swept_cells(order);
-    const Edge_numbering numbering(m_mesh);
     std::vector<Edge_index> edges;
     for (Cell_index c : m_mesh.cells())
       if (!is_swept[c])
-        for (Edge_index e : numbering.edges(c)) edges.push_back(e);
+        for (Edge_index e : m_edges.edges(c)) edges.push_back(e);
     std::sort(edges.begin(), edges.end());
     edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
     std::vector<Edge_numbering::Ends> result;
-    for (Edge_index e : edges) result.push_back(numbering.ends(e));
+    for (Edge_index e : edges) result.push_back(m_edges.ends(e));
     sort_longest_first(result, [this](Vertex_index v) { return approximate(m_mesh.point(v)); });
     return result;
   }
@@ -177,6 +183,7 @@ private:
   Mesh& m_mesh;
   const Guide& m_make_guide;
   Sweep_report& m_report;
+  Edge_numbering m_edges; // of the mesh as the guide knows it
 };
 
 } // namespace internal
@@ -188,6 +195,7 @@ sweeps the cells of `mesh` from the floor to the ceiling, whatever it takes with
 stops, from the ceiling; then from both ends along the potential alone, with learned priorities; then by bisecting the
 edges of the cells that are left and going on, which keeps what is swept.
 
+\tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; the result does not depend on it
 \tparam GeomTraits a model of `VolumeParameterizationTraits_3`
 \tparam Guide the type of `guide`
 
@@ -200,12 +208,12 @@ refinement
 
 Complexity: \f$ O(n \log n) \f$ without repairs; at most 62 times that, and 20 refinements.
 */
-template <typename GeomTraits, typename Guide>
+template <typename ConcurrencyTag = Sequential_tag, typename GeomTraits, typename Guide>
 Status sweep_with_repairs(Compact_tetrahedral_mesh_3<GeomTraits>& mesh, const Guide& guide,
                           Product_structure_3<GeomTraits>& structure, Sweep_report& report) {
   std::vector<Cell_index> order;
   report = Sweep_report();
-  const Status status = internal::Sweep_repair<GeomTraits, Guide>(mesh, guide, report).run(order);
+  const Status status = internal::Sweep_repair<ConcurrencyTag, GeomTraits, Guide>(mesh, guide, report).run(order);
   if (status.ok()) structure = {mesh, std::move(order)};
   return status;
 }

@@ -13,6 +13,7 @@
 #include <CGAL/Volume_mesh_parameterization/Compact_tetrahedral_mesh_3.h>
 #include <CGAL/Volume_mesh_parameterization/Error_code.h>
 
+#include <algorithm>
 #include <array>
 #include <string>
 #include <vector>
@@ -69,16 +70,22 @@ double dual_conductance(const Mesh& mesh, Facet_index f, const std::vector<doubl
   return squared_area(mesh, f) / (0.75 * volume);
 }
 
+// The volumes of all cells.
+template <typename Mesh>
+std::vector<double> volumes(const Mesh& mesh) {
+  std::vector<double> result(mesh.number_of_cells());
+  for (Cell_index c : mesh.cells()) result[c] = Cell_gradients(mesh, c).volume;
+  return result;
+}
+
 // computes the volumes of all cells; returns ERROR_FLAT_TETRAHEDRON if one is not positive in double.
 template <typename Mesh>
-Status compute_volumes(const Mesh& mesh, std::vector<double>& volumes) {
-  volumes.resize(mesh.number_of_cells());
-  for (Cell_index c : mesh.cells()) {
-    volumes[c] = Cell_gradients(mesh, c).volume;
-    if (!(volumes[c] > 0))
-      return {ERROR_FLAT_TETRAHEDRON, "the volume of tetrahedron " + std::to_string(c) + " is not positive in double"};
-  }
-  return {};
+Status compute_volumes(const Mesh& mesh, std::vector<double>& result) {
+  result = volumes(mesh);
+  const auto flat = std::find_if(result.begin(), result.end(), [](double volume) { return !(volume > 0); });
+  if (flat == result.end()) return {};
+  return {ERROR_FLAT_TETRAHEDRON,
+          "the volume of tetrahedron " + std::to_string(flat - result.begin()) + " is not positive in double"};
 }
 
 } // namespace internal

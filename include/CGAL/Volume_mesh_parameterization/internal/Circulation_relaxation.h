@@ -33,6 +33,8 @@ public:
   // `volumes` are those of the cells, `fluxes` those out of the cell of half_facet(f), for each facet f.
   Circulation_relaxation(const Mesh& mesh, const std::vector<double>& volumes, std::vector<double>& fluxes)
       : m_mesh(&mesh), m_volumes(&volumes), m_fluxes(&fluxes) {
+    m_points.reserve(mesh.number_of_vertices());
+    m_vectors.reserve(mesh.number_of_cells());
     for (const auto& p : mesh.points()) m_points.push_back(approximate(p));
     for (Cell_index c : mesh.cells()) m_vectors.push_back(vector(c));
     find_links();

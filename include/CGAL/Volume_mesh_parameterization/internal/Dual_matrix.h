@@ -63,10 +63,9 @@ public:
     return result;
   }
 
-  Eigen::VectorXd divide_by_diagonal(const Eigen::VectorXd& x) const {
-    Eigen::VectorXd result(size);
+  void divide_by_diagonal(const Eigen::VectorXd& x, Eigen::VectorXd& result) const {
+    result.resize(size);
     for (int i = 0; i < size; ++i) result[i] = x[i] / m_rows[i].diagonal;
-    return result;
   }
 
 private:

@@ -33,11 +33,10 @@ public:
       : m_mesh(&mesh), m_stars(mesh), m_excess(mesh.number_of_facets(), 0), m_rest(mesh.number_of_cells()),
         m_is_left(mesh.number_of_cells(), 0) {}
 
-  // returns the fluxes out of the cell of half_facet(f), for each facet; `gradient(c)` is that of u in the cell c.
-  template <typename Gradient>
-  std::vector<double> fluxes(const Gradient& gradient) {
+  // returns the fluxes out of the cell of half_facet(f), for each facet; `values` are those of u at the vertices.
+  std::vector<double> fluxes(const std::vector<double>& values) {
     std::vector<double> result(m_mesh->number_of_facets(), 0);
-    for (Cell_index c : m_mesh->cells()) add_means(c, gradient(c), result);
+    for (Cell_index c : m_mesh->cells()) add_means(c, values, result);
     for (Vertex_index v : m_mesh->vertices()) equilibrate(v, result);
     return result;
   }
@@ -49,8 +48,10 @@ private:
 
   // The flux through a facet is the mean of both sides; at each of its corners a third of the difference is too much in one
   // cell and missing in the other, so both have half of the jump too much.
-  void add_means(Cell_index c, const Double_kernel::Vector_3& gradient, std::vector<double>& fluxes) {
+  void add_means(Cell_index c, const std::vector<double>& values, std::vector<double>& fluxes) {
     const Cell_gradients cell(*m_mesh, c);
+    const auto& v = m_mesh->cell(c);
+    const auto gradient = cell.interpolate({values[v[0]], values[v[1]], values[v[2]], values[v[3]]});
     for (int i = 0; i < 4; ++i) {
       const Facet_index f = m_mesh->facet(c, i);
       const double outflow_at_corner = -cell.volume * (cell.gradients[i] * gradient);

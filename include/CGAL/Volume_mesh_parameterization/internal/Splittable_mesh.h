@@ -57,6 +57,8 @@ public:
       : m_points(mesh.points()),
         m_split_simplices(mesh.split_simplices()),
         m_stars(mesh.number_of_vertices()) {
+    m_cells.reserve(mesh.number_of_cells());
+    m_labels.reserve(mesh.number_of_cells());
     for (Cell_index c : mesh.cells()) {
       m_cells.push_back(mesh.cell(c));
       m_labels.push_back({mesh.label(c, 0), mesh.label(c, 1), mesh.label(c, 2), mesh.label(c, 3)});
