@@ -73,22 +73,13 @@ public:
   Complexity: linear.
   */
   Status approximate(const std::vector<double>& values) {
-    constexpr int steps = 40; // as few sweeps stop as along the solution; with 20, some more
-    constexpr double tolerance = 1e-10;
     std::vector<double> volumes;
     const Status status = internal::compute_volumes(*m_mesh, volumes);
     if (!status.ok()) return status;
-    const internal::Dual_matrix matrix(*m_mesh, volumes);
-    Eigen::VectorXd means(matrix.size), correction, quotients;
-    for (Cell_index c : m_mesh->cells()) means[c] = mean_over_cell(c, values);
-    const auto precondition = [&](const Eigen::VectorXd& x) -> const Eigen::VectorXd& {
-      matrix.divide_by_diagonal(x, quotients);
-      return quotients;
-    };
-    internal::solve_by_conjugate_gradients(matrix, precondition, matrix.residual(means), tolerance, steps, correction);
-    means += correction;
-    m_values.assign(means.begin(), means.end());
-    m_values.insert(m_values.end(), {0, 1}); // floor and ceiling
+    m_values.assign(m_mesh->number_of_cells() + 2, 0);
+    m_values[ceiling_node()] = 1;
+    for (Cell_index c : m_mesh->cells()) m_values[c] = mean_over_cell(c, values);
+    correct_values(volumes);
     m_residual = internal::relative_residual(Network{*this, volumes, crossed_facets()}, label_nodes(), m_values);
     m_values.resize(m_mesh->number_of_cells());
     if (!std::isfinite(m_residual)) return {ERROR_CANNOT_SOLVE, "the dual graph has conductances beyond those of a double"};
@@ -109,6 +100,19 @@ private:
     double sum = 0;
     for (Vertex_index v : m_mesh->cell(c)) sum += values[v];
     return sum / 4;
+  }
+
+  void correct_values(const std::vector<double>& volumes) {
+    constexpr int steps = 40; // as few sweeps stop as along the solution; with 20, some more
+    constexpr double tolerance = 1e-10;
+    const internal::Dual_matrix matrix(*m_mesh, volumes);
+    Eigen::Map<Eigen::VectorXd> x(m_values.data(), matrix.size);
+    Eigen::VectorXd correction, quotients;
+    const auto precondition = [&](const Eigen::VectorXd& y) -> const Eigen::VectorXd& {
+      return quotients = y.cwiseQuotient(matrix.diagonal());
+    };
+    internal::solve_by_conjugate_gradients(matrix, precondition, matrix.residual(x), tolerance, steps, correction);
+    x += correction;
   }
 
   std::size_t floor_node() const { return m_mesh->number_of_cells(); }

@@ -30,18 +30,19 @@ public:
 
   template <typename Mesh>
   Dual_matrix(const Mesh& mesh, const std::vector<double>& volumes)
-      : size(int(mesh.number_of_cells())), m_rows(mesh.number_of_cells()), m_pull_of_ceiling(Eigen::VectorXd::Zero(size)) {
+      : size(int(mesh.number_of_cells())), m_diagonal(Eigen::VectorXd::Zero(size)), m_rows(mesh.number_of_cells()),
+        m_pull_of_ceiling(Eigen::VectorXd::Zero(size)) {
     for (Cell_index c : mesh.cells()) m_rows[c].neighbors.fill(c);
     for (Facet_index f : mesh.facets()) {
       const int label = mesh.label(f);
       if (mesh.is_boundary(f) && label != FLOOR && label != CEILING) continue;
       const double conductance = dual_conductance(mesh, f, volumes);
       const Half_facet inner = mesh.half_facet(f);
-      m_rows[inner.cell].diagonal += conductance;
+      m_diagonal[inner.cell] += conductance;
       if (label == CEILING) m_pull_of_ceiling[inner.cell] += conductance;
       if (mesh.is_boundary(f)) continue;
       const Half_facet outer = mesh.half_facet(f, 1);
-      m_rows[outer.cell].diagonal += conductance;
+      m_diagonal[outer.cell] += conductance;
       m_rows[inner.cell].join(inner.index, outer.cell, conductance);
       m_rows[outer.cell].join(outer.index, inner.cell, conductance);
     }
@@ -51,7 +52,7 @@ public:
   template <typename Vector>
   double times(int i, const Vector& x) const {
     const Row& row = m_rows[i];
-    double sum = row.diagonal * x[i];
+    double sum = m_diagonal[i] * x[i];
     for (int k = 0; k < 4; ++k) sum -= row.conductances[k] * x[row.neighbors[k]];
     return sum;
   }
@@ -63,14 +64,10 @@ public:
     return result;
   }
 
-  void divide_by_diagonal(const Eigen::VectorXd& x, Eigen::VectorXd& result) const {
-    result.resize(size);
-    for (int i = 0; i < size; ++i) result[i] = x[i] / m_rows[i].diagonal;
-  }
+  const Eigen::VectorXd& diagonal() const { return m_diagonal; }
 
 private:
   struct Row {
-    double diagonal = 0;
     std::array<double, 4> conductances = {0, 0, 0, 0};
     std::array<std::uint32_t, 4> neighbors; // the cell itself where there is none
 
@@ -80,7 +77,8 @@ private:
     }
   };
 
-  std::vector<Row> m_rows;
+  Eigen::VectorXd m_diagonal;
+  std::vector<Row> m_rows; // but for the diagonal, which is needed alone, too
   Eigen::VectorXd m_pull_of_ceiling;
 };
 
