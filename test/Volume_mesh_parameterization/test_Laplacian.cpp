@@ -74,7 +74,18 @@ void test_against_full_matrix(std::size_t number_of_nodes, std::size_t number_of
       assert(matrix.innerIndexPtr()[k - 1] < matrix.innerIndexPtr()[k]);
 }
 
+// A matrix with more entries than can be counted is not written, but they are.
+void test_too_large() {
+  const Random_network network(10, 20, 3);
+  const std::vector<std::uint32_t> rows = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9};
+  const std::size_t entries = Laplacian(network, rows, 10, {}).number_of_entries;
+  const Laplacian just_small(network, rows, 10, {}, entries), too_large(network, rows, 10, {}, entries - 1);
+  assert(std::size_t(just_small.matrix.nonZeros()) == entries);
+  assert(too_large.number_of_entries == entries && too_large.matrix.nonZeros() == 0);
+}
+
 int main() {
+  test_too_large();
   for (std::size_t every : {2, 3, 1000}) {
     test_against_full_matrix(7, 40, every);
     test_against_full_matrix(60, 200, every);

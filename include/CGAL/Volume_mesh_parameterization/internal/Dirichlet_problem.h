@@ -83,8 +83,8 @@ public:
     for (std::size_t i = 0; i < m_labels.size(); ++i) m_values[i] = m_labels[i] == CEILING;
     Status status = check_bases();
     if (status.ok()) status = check_connection(network);
+    if (status.ok()) status = solve_for_unknowns(network);
     if (!status.ok()) return status;
-    solve_for_unknowns(network);
     m_residual = relative_residual(network, m_labels, m_values);
     if (m_residual <= largest_residual) return {};
     std::ostringstream message;
@@ -137,10 +137,12 @@ private:
 
   // Whether the solver has succeeded is left to the residual: an iteration may miss its tolerance by the last digit.
   template <typename Network>
-  void solve_for_unknowns(const Network& network) {
+  Status solve_for_unknowns(const Network& network) {
     const auto [number, n] = number_unknowns();
-    if (n == 0) return;
+    if (n == 0) return {};
     Laplacian laplacian(network, number, n, m_values);
+    if (laplacian.number_of_entries > Laplacian::greatest_size)
+      return {ERROR_CANNOT_SOLVE, "the matrix would have " + std::to_string(laplacian.number_of_entries) + " entries"};
     const typename Solver::Matrix matrix = matrix_of(std::move(laplacian.matrix));
     typename Solver::Vector right(n), solution(n);
     for (std::uint32_t i = 0; i < n; ++i) {
@@ -152,6 +154,7 @@ private:
     if (solver.factor(matrix, denominator)) solver.linear_solver(right, solution);
     for (std::size_t i = 0; i < m_labels.size(); ++i)
       if (!is_fixed(i)) m_values[i] = solution[number[i]] / denominator;
+    return {};
   }
 
   template <typename Matrix = typename Solver::Matrix>

@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -40,18 +41,24 @@ public:
   using Matrix = Eigen::SparseMatrix<double>;
 
   static constexpr std::uint32_t known = std::uint32_t(-1);
+  // Eigen counts the entries of a matrix by numbers of this type.
+  static constexpr std::size_t greatest_size = std::numeric_limits<Matrix::StorageIndex>::max();
 
-  // `rows` tells the row of each of the n unknown nodes, and `known` for the others; these have the given `values`.
+  // `rows` tells the row of each of the n unknown nodes, and `known` for the others; these have the given `values`. A matrix of
+  // more than `most_entries` is not written.
   template <typename Network>
-  Laplacian(const Network& network, const std::vector<std::uint32_t>& rows, std::size_t n, const std::vector<double>& values)
+  Laplacian(const Network& network, const std::vector<std::uint32_t>& rows, std::size_t n, const std::vector<double>& values,
+            std::size_t most_entries = greatest_size)
       : right(n, 0), m_diagonal(n, 0), m_end(n + 1, 0) {
     count_entries(network, rows);
     add_entries(network, rows, values);
     sort_rows();
-    write_matrix();
+    number_of_entries = n + 2 * m_lower.size();
+    if (number_of_entries <= most_entries) write_matrix();
   }
 
-  Matrix matrix; // symmetric, with both halves, columns in order
+  std::size_t number_of_entries = 0; // those that the matrix has or would have
+  Matrix matrix;                     // symmetric, with both halves, columns in order
   std::vector<double> right;
 
 private:
