@@ -96,17 +96,25 @@ Status find_carriers(const Carriers_3& carriers, const Hexahedron_soup_3<Point>&
   return {};
 }
 
+// Vertices and barycentres of triangles: those that measure_hexahedral_fit() looks at.
 template <typename GeomTraits>
-std::vector<Eigen::Vector3d> surface_vertices(const Compact_tetrahedral_mesh_3<GeomTraits>& object) {
+std::vector<Eigen::Vector3d> surface_points(const Compact_tetrahedral_mesh_3<GeomTraits>& object) {
+  const auto position = [&](Vertex_index v) {
+    const auto p = approximate(object.point(v));
+    return Eigen::Vector3d(p.x(), p.y(), p.z());
+  };
   std::vector<char> is_on_boundary(object.number_of_vertices(), 0);
-  for (Facet_index f : object.boundary_facets())
-    for (Vertex_index v : object.vertices(f)) is_on_boundary[v] = 1;
   std::vector<Eigen::Vector3d> result;
-  for (std::size_t v = 0; v < is_on_boundary.size(); ++v) {
-    if (!is_on_boundary[v]) continue;
-    const auto p = approximate(object.point(Vertex_index(v)));
-    result.emplace_back(p.x(), p.y(), p.z());
+  for (Facet_index f : object.boundary_facets()) {
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    for (Vertex_index v : object.vertices(f)) {
+      is_on_boundary[v] = 1;
+      sum += position(v);
+    }
+    result.push_back(sum / 3);
   }
+  for (std::size_t v = 0; v < is_on_boundary.size(); ++v)
+    if (is_on_boundary[v]) result.push_back(position(Vertex_index(v)));
   return result;
 }
 
@@ -184,8 +192,8 @@ Status optimize_hexahedra(const Compact_tetrahedral_mesh_3<GeomTraits>& object,
   if (status.ok()) status = carriers.build(object, !options.slides_over_smooth_rims);
   if (status.ok()) status = internal::find_carriers(carriers, hexahedra, nodes, carrier_of_node);
   if (!status.ok()) return status;
-  internal::Surface_watch watch(internal::Hexahedron_facets(hexahedra.hexahedra).boundary, carriers.surface(),
-                                internal::surface_vertices(object), nodes.size(), options.greatest_distance);
+  internal::Surface_watch<ConcurrencyTag> watch(internal::Hexahedron_facets(hexahedra.hexahedra).boundary, carriers.surface(),
+                                internal::surface_points(object), nodes.size(), options.greatest_distance);
   internal::Hexahedra_optimizer<ConcurrencyTag> optimizer(nodes, hexahedra.hexahedra, carrier_of_node, std::move(watch));
   optimizer.run(options.most_sweeps, options.target, options.surface_tolerance);
 
