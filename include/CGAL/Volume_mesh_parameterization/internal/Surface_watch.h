@@ -101,7 +101,7 @@ public:
         m_greatest[k] = (std::min)(m_greatest[k], (std::max)(m_enough, distance(m_boundary[k], nodes)));
       for (Watched& w : m_watched[k])
         if (w.greatest > m_too_far)
-          w.greatest = (std::max)(m_too_far, std::sqrt(squared_distance_around(v, nodes, w.vertex)));
+          w.greatest = (std::max)(m_too_far, std::sqrt(squared_distance_around(v, nodes, w.point)));
     }
   }
 
@@ -138,9 +138,9 @@ private:
     std::size_t quadrilateral;
   };
 
-  // A vertex of the surface, and how far it may be.
+  // A point of the surface, and how far it may be.
   struct Watched {
-    Vector vertex;
+    Vector point;
     double greatest;
   };
 
@@ -161,7 +161,7 @@ private:
     return result;
   }
 
-  // Vertices of the surface that are at least `distance` away from the quadrilaterals, with the nearest of these.
+  // Points of the surface that are at least `distance` away from the quadrilaterals, with the nearest of these.
   std::vector<Far_point> far_points(const Nodes& nodes, double distance) const {
     Triangles triangles;
     for (const Quadrilateral& q : m_boundary)
@@ -180,11 +180,11 @@ private:
     return result;
   }
 
-  // Whether a quadrilateral at node v is near enough to a vertex of the surface; k is likely to be.
+  // Whether a quadrilateral at node v is near enough to a point of the surface; k is likely to be.
   bool is_near(std::size_t v, const Nodes& nodes, std::size_t k, const Watched& w) const {
     const auto is_near_to = [&](std::size_t q) {
       for (int i = 0; i < 4; ++i)
-        if (CGAL::squared_distance(to_point(w.vertex), quarter(m_boundary[q], i, nodes)) <= w.greatest * w.greatest)
+        if (CGAL::squared_distance(to_point(w.point), quarter(m_boundary[q], i, nodes)) <= w.greatest * w.greatest)
           return true;
       return false;
     };
@@ -246,10 +246,10 @@ private:
   Nodes m_surface_points;
   Incidence_lists<std::size_t, std::size_t> m_stars; // the quadrilaterals around each node
   std::vector<double> m_greatest;                    // distance that each quadrilateral may have
-  std::vector<std::vector<Watched>> m_watched;       // vertices of the surface that each quadrilateral is nearest to
+  std::vector<std::vector<Watched>> m_watched;       // points of the surface that each quadrilateral is nearest to
   double m_allowed;                                  // distance in mean sides
   double m_side = 0;                                 // the mean length at the start
-  double m_enough = 0, m_too_far = 0;                // for middles, for vertices of the surface
+  double m_enough = 0, m_too_far = 0;                // for middles, for points of the surface
 };
 
 } // namespace internal
