@@ -6,6 +6,8 @@
 
 #include "test_util.h"
 
+#include <CGAL/tags.h>
+
 #include <algorithm>
 #include <cassert>
 #include <cstdlib>
@@ -51,8 +53,8 @@ int main() {
   status = carriers.build(solid, true);
   if (status.ok()) status = internal::find_carriers(carriers, hexahedra, nodes, carrier_of_node);
   assert(status.ok());
-  internal::Surface_watch watch(internal::Hexahedron_facets(hexahedra.hexahedra).boundary, carriers.surface(),
-                                internal::surface_vertices(solid), nodes.size(), 0.3);
+  internal::Surface_watch<CGAL::Sequential_tag> watch(internal::Hexahedron_facets(hexahedra.hexahedra).boundary,
+                                                      carriers.surface(), internal::surface_points(solid), nodes.size(), 0.3);
   watch.start(nodes);
   for (std::size_t v = 0; v < nodes.size(); ++v) assert(watch.accepts(v, nodes));
   assert(watch.nodes_to_draw(nodes, carrier_of_node).empty());

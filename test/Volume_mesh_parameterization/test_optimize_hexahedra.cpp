@@ -184,6 +184,17 @@ void test_cut_creases() {
     }
 }
 
+// The points that are to be covered are the vertices of the surface and the barycentres of its triangles, each once.
+void test_surface_points() {
+  const Object<Kernel> object = Block<Kernel>(0, 0.5).object();
+  const std::vector<Eigen::Vector3d> points = VMP::internal::surface_points(object);
+  std::set<VMP::Vertex_index> vertices;
+  for (VMP::Facet_index f : object.boundary_facets())
+    for (VMP::Vertex_index v : object.vertices(f)) vertices.insert(v);
+  assert(points.size() == vertices.size() + object.number_of_boundary_facets());
+  for (const Eigen::Vector3d& p : points) assert(distance_to_boundary(object, Point_3(p.x(), p.y(), p.z())) < 1e-12);
+}
+
 // Boxes cannot be better, and are left to the bit; so is everything if there are no sweeps.
 void test_nothing_to_do() {
   Block<Kernel> block(1, 0.5);
@@ -334,6 +345,7 @@ int main() {
   test_untangling<CGAL::Exact_predicates_exact_constructions_kernel>(1, 0.5, 0.45);
   test_smooth_wall();
   test_cut_creases();
+  test_surface_points();
   test_nothing_to_do();
   test_refused_hexahedra();
   test_refused_parameters();

@@ -96,17 +96,25 @@ Status find_carriers(const Carriers_3& carriers, const Hexahedron_soup_3<Point>&
   return {};
 }
 
+// Vertices and barycentres of triangles: those that measure_hexahedral_fit() looks at.
 template <typename GeomTraits>
-std::vector<Eigen::Vector3d> surface_vertices(const Compact_tetrahedral_mesh_3<GeomTraits>& object) {
+std::vector<Eigen::Vector3d> surface_points(const Compact_tetrahedral_mesh_3<GeomTraits>& object) {
+  const auto position = [&](Vertex_index v) {
+    const auto p = approximate(object.point(v));
+    return Eigen::Vector3d(p.x(), p.y(), p.z());
+  };
   std::vector<char> is_on_boundary(object.number_of_vertices(), 0);
-  for (Facet_index f : object.boundary_facets())
-    for (Vertex_index v : object.vertices(f)) is_on_boundary[v] = 1;
   std::vector<Eigen::Vector3d> result;
-  for (std::size_t v = 0; v < is_on_boundary.size(); ++v) {
-    if (!is_on_boundary[v]) continue;
-    const auto p = approximate(object.point(Vertex_index(v)));
-    result.emplace_back(p.x(), p.y(), p.z());
+  for (Facet_index f : object.boundary_facets()) {
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    for (Vertex_index v : object.vertices(f)) {
+      is_on_boundary[v] = 1;
+      sum += position(v);
+    }
+    result.push_back(sum / 3);
   }
+  for (std::size_t v = 0; v < is_on_boundary.size(); ++v)
+    if (is_on_boundary[v]) result.push_back(position(Vertex_index(v)));
   return result;
 }
 
@@ -138,9 +146,10 @@ where the surface has a crease; elsewhere nodes move on the patches of both side
 not where they are.
 
 The boundary stays near to the surface: the middles of quadrilaterals and of their sides get no farther from it than four
-fifths of `greatest_distance`. Where vertices of the surface are too far from the quadrilaterals, at tips and at creases
-inside a patch, or quadrilaterals from the surface, the nearest nodes are drawn there, as far as hexahedra remain good; what is
-covered then, or was before, remains so while angles are mended.
+fifths of `greatest_distance`. Where vertices or barycentres of triangles of the surface are too far from the quadrilaterals, at
+tips and at creases inside a patch, or quadrilaterals from the surface, the nearest nodes are drawn there, as far as no
+hexahedron becomes flat; what is covered then, or was before, remains so while angles are mended. Some rounds of drawing and
+mending follow each other where that is not enough.
 
 Nothing warrants that no hexahedron is inverted in the end: where the solid is smooth at a rim, the scaled Jacobian is small,
 and without tolerance tends to zero under refinement, unless there is a layer of hexahedra as `pillow_hexahedra()` makes it.
@@ -184,8 +193,8 @@ Status optimize_hexahedra(const Compact_tetrahedral_mesh_3<GeomTraits>& object,
   if (status.ok()) status = carriers.build(object, !options.slides_over_smooth_rims);
   if (status.ok()) status = internal::find_carriers(carriers, hexahedra, nodes, carrier_of_node);
   if (!status.ok()) return status;
-  internal::Surface_watch watch(internal::Hexahedron_facets(hexahedra.hexahedra).boundary, carriers.surface(),
-                                internal::surface_vertices(object), nodes.size(), options.greatest_distance);
+  internal::Surface_watch<ConcurrencyTag> watch(internal::Hexahedron_facets(hexahedra.hexahedra).boundary, carriers.surface(),
+                                internal::surface_points(object), nodes.size(), options.greatest_distance);
   internal::Hexahedra_optimizer<ConcurrencyTag> optimizer(nodes, hexahedra.hexahedra, carrier_of_node, std::move(watch));
   optimizer.run(options.most_sweeps, options.target, options.surface_tolerance);
 

@@ -49,7 +49,7 @@ class Hexahedra_optimizer {
 public:
   Hexahedra_optimizer(std::vector<Vector> nodes, const std::vector<Hexahedron>& hexahedra,
                       const std::vector<Carriers_3::Handle>& carriers,
-                      Surface_watch watch)
+                      Surface_watch<ConcurrencyTag> watch)
       : m_nodes(std::move(nodes)),
         m_watch(std::move(watch)),
         m_hexahedra(hexahedra),
@@ -122,26 +122,34 @@ private:
     raise_mean(target);
   }
 
-  // Draws nodes to what of the surface is too far from the hexahedra, unless hexahedra are inverted, which matters more. Nodes
-  // that do not arrive are free again, and so are those of hexahedra that fall short of `target`.
+  // Draws nodes to where the surface and the hexahedra are too far from each other, unless hexahedra are inverted, which matters
+  // more. On the way hexahedra may become almost flat, and sides that cut off some of the surface elsewhere are drawn there in
+  // the next round: if either were forbidden, most nodes would not arrive. In the end nodes that did not are free again, and so
+  // are those of hexahedra that fall short of `target`.
   void cover_surface(double target) {
     constexpr int most_rounds = 8, power = 2;
-    constexpr double volume_weight = 0.2, least_gain = 1e-2, good = 0.15;
+    constexpr double volume_weight = 0.2, least_gain = 1e-2, almost_flat = 0.02;
     if (std::count(m_inverted.begin(), m_inverted.end(), 1) > 0) return;
     m_watch.start(m_nodes);
-    m_least_allowed = (std::min)(good, least_scaled_jacobian());
-    for (int round = 0; round < most_rounds; ++round) {
-      const std::vector<Drawn_node> drawn = m_watch.nodes_to_draw(m_nodes, m_carriers);
-      if (drawn.empty()) break;
-      for (const Drawn_node& d : drawn)
-        if (!is_at_place(d.node)) m_places[d.node] = d.place;
-      run_pass({power, volume_weight}, least_gain);
-    }
+    m_is_covering = true;
+    m_least_allowed = (std::min)(almost_flat, least_scaled_jacobian());
+    for (int round = 0; round < most_rounds && draw_nodes(); ++round) run_pass({power, volume_weight}, least_gain);
     m_least_allowed = -1;
+    m_is_covering = false;
     for (std::size_t v = 0; v < m_places.size(); ++v)
       if (!is_at_place(v) || least_scaled_jacobian_around(v) < target) m_places[v].reset();
     m_is_covered = true;
     look_at_all();
+  }
+
+  // Gives places to nodes that are not at one. Returns whether there are some to give.
+  bool draw_nodes() {
+    for (std::size_t v = 0; v < m_places.size(); ++v)
+      if (!is_at_place(v)) m_places[v].reset();
+    const std::vector<Drawn_node> drawn = m_watch.nodes_to_draw(m_nodes, m_carriers);
+    for (const Drawn_node& d : drawn)
+      if (!m_places[d.node]) m_places[d.node] = d.place;
+    return !drawn.empty();
   }
 
   bool is_at_place(std::size_t v) const { return m_places[v] && *m_places[v] == m_nodes[v]; }
@@ -378,10 +386,10 @@ private:
       found.emplace_back(quality, is_inverted(m_nodes, m_hexahedra[h], quality));
       more += found.back().second - m_inverted[h];
     }
-    if ((more > 0 && !m_has_rest_lengths) || !m_watch.accepts(v, m_nodes)) return false;
+    if ((more > 0 && !m_has_rest_lengths) || !(m_is_covering || m_watch.accepts(v, m_nodes))) return false;
     auto next = found.begin();
     for (std::size_t h : star) std::tie(m_qualities[h], m_inverted[h]) = *next++;
-    m_watch.take_note(v, m_nodes);
+    if (!m_is_covering) m_watch.take_note(v, m_nodes);
     return true;
   }
 
@@ -403,7 +411,7 @@ private:
   }
 
   std::vector<Vector> m_nodes;
-  Surface_watch m_watch;
+  Surface_watch<ConcurrencyTag> m_watch;
   const std::vector<Hexahedron>& m_hexahedra;
   const std::vector<Carriers_3::Handle>& m_carriers;
   Incidence_lists<std::size_t, std::size_t> m_stars; // the hexahedra around each node
@@ -418,6 +426,7 @@ private:
   double m_least_gain = 0;                           // of energy, for which nodes around are worth trying again
   int m_most_sweeps = 0;                             // in a pass
   std::vector<Vector> m_rest_lengths;                // of each hexahedron along its three axes
+  bool m_is_covering = false;                        // meanwhile the boundary may leave the surface
   bool m_is_covered = false;                         // what of the surface was left out is, and has to be from now on
   bool m_has_rest_lengths = true;                    // else an edge's own length serves
   double m_least_allowed = -1;                       // scaled Jacobian

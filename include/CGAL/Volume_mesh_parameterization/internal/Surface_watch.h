@@ -13,6 +13,7 @@
 #include <CGAL/Volume_mesh_parameterization/internal/AABB_types.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Carriers_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Incidence_lists.h>
+#include <CGAL/Volume_mesh_parameterization/internal/for_each_index.h>
 
 #include <CGAL/Kernel/global_functions.h>
 #include <CGAL/Simple_cartesian.h>
@@ -39,8 +40,9 @@ struct Drawn_node {
 };
 
 // Keeps the boundary of a hexahedral mesh near to the surface that its nodes move on: corners at rims get better the more
-// surface their hexahedra cut off. The middles of quadrilaterals and of their sides, and the vertices of the surface, have to be
+// surface their hexahedra cut off. The middles of quadrilaterals and of their sides, and the points of the surface, have to be
 // as near as they are, or as is enough. Tells which nodes could cover what is too far: tips, creases, and what chords cut off.
+template <typename ConcurrencyTag>
 class Surface_watch {
   using Vector = Eigen::Vector3d;
   using Nodes = std::vector<Vector>;
@@ -48,11 +50,11 @@ class Surface_watch {
 
 public:
   // `greatest_distance` is in mean lengths of the sides. Then start().
-  Surface_watch(std::vector<Quadrilateral> boundary, Carriers_3::Handle surface, Nodes surface_vertices,
+  Surface_watch(std::vector<Quadrilateral> boundary, Carriers_3::Handle surface, Nodes surface_points,
                 std::size_t number_of_nodes, double greatest_distance)
       : m_boundary(std::move(boundary)),
         m_surface(surface),
-        m_surface_vertices(std::move(surface_vertices)),
+        m_surface_points(std::move(surface_points)),
         m_stars(number_of_nodes, m_boundary.size(), [this](std::size_t q) { return m_boundary[q]; }),
         m_allowed(greatest_distance) {}
 
@@ -65,14 +67,16 @@ public:
     m_side = mean_side(nodes);
     m_enough = enough * m_allowed * m_side;
     m_too_far = too_far * m_allowed * m_side;
-    m_greatest.clear();
-    for (const Quadrilateral& q : m_boundary) m_greatest.push_back((std::max)(m_enough, distance(q, nodes)));
+    m_greatest.resize(m_boundary.size());
+    for_each_index<ConcurrencyTag>(m_boundary.size(), [&](std::size_t k) {
+      m_greatest[k] = (std::max)(m_enough, distance(m_boundary[k], nodes));
+    });
     m_watched.assign(m_boundary.size(), {});
   }
 
-  // The same for vertices of the surface, which are not looked after without that.
+  // The same for points of the surface, which are not looked after without that.
   void keep_covered(const Nodes& nodes) {
-    for (const Far_point& p : far_vertices(nodes, 0))
+    for (const Far_point& p : far_points(nodes, 0))
       m_watched[p.quadrilateral].push_back({p.point, (std::max)(m_too_far, p.distance)});
   }
 
@@ -97,7 +101,7 @@ public:
         m_greatest[k] = (std::min)(m_greatest[k], (std::max)(m_enough, distance(m_boundary[k], nodes)));
       for (Watched& w : m_watched[k])
         if (w.greatest > m_too_far)
-          w.greatest = (std::max)(m_too_far, std::sqrt(squared_distance_around(v, nodes, w.vertex)));
+          w.greatest = (std::max)(m_too_far, std::sqrt(squared_distance_around(v, nodes, w.point)));
     }
   }
 
@@ -134,9 +138,9 @@ private:
     std::size_t quadrilateral;
   };
 
-  // A vertex of the surface, and how far it may be.
+  // A point of the surface, and how far it may be.
   struct Watched {
-    Vector vertex;
+    Vector point;
     double greatest;
   };
 
@@ -148,7 +152,7 @@ private:
   }
 
   std::vector<Far_point> too_far(const Nodes& nodes) const {
-    std::vector<Far_point> result = far_vertices(nodes, m_too_far);
+    std::vector<Far_point> result = far_points(nodes, m_too_far);
     for (std::size_t k = 0; k < m_boundary.size(); ++k)
       for (const Vector& p : middles(m_boundary[k], nodes)) {
         const Vector foot = Carriers_3::project(m_surface, p).point;
@@ -157,26 +161,30 @@ private:
     return result;
   }
 
-  // Vertices of the surface that are at least `distance` away from the quadrilaterals, with the nearest of these.
-  std::vector<Far_point> far_vertices(const Nodes& nodes, double distance) const {
+  // Points of the surface that are at least `distance` away from the quadrilaterals, with the nearest of these.
+  std::vector<Far_point> far_points(const Nodes& nodes, double distance) const {
     Triangles triangles;
     for (const Quadrilateral& q : m_boundary)
       for (int i = 0; i < 4; ++i) triangles.push_back(quarter(q, i, nodes));
-    const Tree tree(triangles.cbegin(), triangles.cend());
-    std::vector<Far_point> result;
-    for (const Vector& p : m_surface_vertices) {
-      const auto foot = tree.closest_point_and_primitive(to_point(p));
-      const double d = std::sqrt(CGAL::squared_distance(to_point(p), foot.first));
-      if (d >= distance) result.push_back({p, d, std::size_t(foot.second - triangles.cbegin()) / 4});
-    }
+    Tree tree(triangles.cbegin(), triangles.cend());
+    tree.accelerate_distance_queries();
+    std::vector<Far_point> result(m_surface_points.size());
+    for_each_index<ConcurrencyTag>(result.size(), [&](std::size_t i) {
+      const Kernel::Point_3 p = to_point(m_surface_points[i]);
+      const auto foot = tree.closest_point_and_primitive(p);
+      result[i] = {m_surface_points[i], std::sqrt(CGAL::squared_distance(p, foot.first)),
+                   std::size_t(foot.second - triangles.cbegin()) / 4};
+    });
+    result.erase(std::remove_if(result.begin(), result.end(), [&](const Far_point& p) { return p.distance < distance; }),
+                 result.end());
     return result;
   }
 
-  // Whether a quadrilateral at node v is near enough to a vertex of the surface; k is likely to be.
+  // Whether a quadrilateral at node v is near enough to a point of the surface; k is likely to be.
   bool is_near(std::size_t v, const Nodes& nodes, std::size_t k, const Watched& w) const {
     const auto is_near_to = [&](std::size_t q) {
       for (int i = 0; i < 4; ++i)
-        if (CGAL::squared_distance(to_point(w.vertex), quarter(m_boundary[q], i, nodes)) <= w.greatest * w.greatest)
+        if (CGAL::squared_distance(to_point(w.point), quarter(m_boundary[q], i, nodes)) <= w.greatest * w.greatest)
           return true;
       return false;
     };
@@ -235,13 +243,13 @@ private:
 
   std::vector<Quadrilateral> m_boundary;
   Carriers_3::Handle m_surface;
-  Nodes m_surface_vertices;
+  Nodes m_surface_points;
   Incidence_lists<std::size_t, std::size_t> m_stars; // the quadrilaterals around each node
   std::vector<double> m_greatest;                    // distance that each quadrilateral may have
-  std::vector<std::vector<Watched>> m_watched;       // vertices of the surface that each quadrilateral is nearest to
+  std::vector<std::vector<Watched>> m_watched;       // points of the surface that each quadrilateral is nearest to
   double m_allowed;                                  // distance in mean sides
   double m_side = 0;                                 // the mean length at the start
-  double m_enough = 0, m_too_far = 0;                // for middles, for vertices of the surface
+  double m_enough = 0, m_too_far = 0;                // for middles, for points of the surface
 };
 
 } // namespace internal
