@@ -194,7 +194,7 @@ Status optimize_hexahedra(const Compact_tetrahedral_mesh_3<GeomTraits>& object,
   if (status.ok()) status = internal::find_carriers(carriers, hexahedra, nodes, carrier_of_node);
   if (!status.ok()) return status;
   internal::Surface_watch<ConcurrencyTag> watch(internal::Hexahedron_facets(hexahedra.hexahedra).boundary, carriers.surface(),
-                                internal::surface_points(object), nodes.size(), options.greatest_distance);
+                                                internal::surface_points(object), nodes.size(), options.greatest_distance);
   internal::Hexahedra_optimizer<ConcurrencyTag> optimizer(nodes, hexahedra.hexahedra, carrier_of_node, std::move(watch));
   optimizer.run(options.most_sweeps, options.target, options.surface_tolerance);
 

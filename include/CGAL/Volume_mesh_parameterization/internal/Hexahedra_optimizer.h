@@ -64,7 +64,7 @@ public:
   // First with fixed rest lengths, which untangles and spreads the nodes. Then with the edges' own lengths as rest
   // lengths: only angles count, for by the inequality of means the energy is a bound, which the present nodes attain, for
   // the same function of the scaled Jacobian. Then what of the surface is left out is covered, and angles are mended again;
-  // either undoes a part of the other, so that a round may help after one that does not.
+  // either undoes a part of the other, so that a round may help after one that does not, and flatter hexahedra are allowed in it.
   void run(int most_sweeps, double target, double tolerance) {
     constexpr int most_rounds = 4;
     m_most_sweeps = most_sweeps;
@@ -72,8 +72,9 @@ public:
     spread();
     straighten(target, tolerance);
     Best<Grade> best(m_nodes, grade(target));
-    for (int round = 0; round < most_rounds && std::get<1>(best.grade()) > 0; ++round) {
-      cover_surface(target);
+    double least_allowed = 0.15;
+    for (int round = 0; round < most_rounds && std::get<1>(best.grade()) > 0; ++round, least_allowed /= 2) {
+      cover_surface(target, least_allowed);
       straighten(target, tolerance);
       best.offer(m_nodes, grade(target));
     }
@@ -123,16 +124,16 @@ private:
   }
 
   // Draws nodes to where the surface and the hexahedra are too far from each other, unless hexahedra are inverted, which matters
-  // more. On the way hexahedra may become almost flat, and sides that cut off some of the surface elsewhere are drawn there in
-  // the next round: if either were forbidden, most nodes would not arrive. In the end nodes that did not are free again, and so
-  // are those of hexahedra that fall short of `target`.
-  void cover_surface(double target) {
+  // more. On the way hexahedra may become as flat as is allowed, and sides that cut off some of the surface elsewhere are drawn
+  // there in the next round: if either were forbidden, most nodes would not arrive. In the end nodes that did not are free again,
+  // and so are those of hexahedra that fall short of `target`.
+  void cover_surface(double target, double least_allowed) {
     constexpr int most_rounds = 8, power = 2;
-    constexpr double volume_weight = 0.2, least_gain = 1e-2, almost_flat = 0.02;
+    constexpr double volume_weight = 0.2, least_gain = 1e-2;
     if (std::count(m_inverted.begin(), m_inverted.end(), 1) > 0) return;
     m_watch.start(m_nodes);
     m_is_covering = true;
-    m_least_allowed = (std::min)(almost_flat, least_scaled_jacobian());
+    m_least_allowed = (std::min)(least_allowed, least_scaled_jacobian());
     for (int round = 0; round < most_rounds && draw_nodes(); ++round) run_pass({power, volume_weight}, least_gain);
     m_least_allowed = -1;
     m_is_covering = false;
