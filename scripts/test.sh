@@ -15,10 +15,11 @@ build=$root/build-test
 install "${compiler_packages[@]}" "${library_packages[@]}" "${petsc_packages[@]}" doxygen
 provide_cgal_data "$build/cgal"
 
-# -O1, tests in groups, and no optimization of examples: most of the time goes into compilation
-cmake -S "$root" -B "$build" -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_FLAGS_RELEASE="-O1 -DNDEBUG" -DCGAL_DATA_DIR="$build/cgal/data" \
-  -DWITH_demo=ON -DWITH_examples=ON -DEXAMPLE_COMPILE_OPTIONS=-O0 -DWITH_tests=ON -DGROUP_TESTS=ON \
-  -DCMAKE_CXX_FLAGS="-Wall -Wextra -Wpedantic -Werror"
+# -O1, sources in groups, and no optimization of examples: most of the time goes into compilation
+cmake -S "$root" -B "$build" -DCGAL_DATA_DIR="$build/cgal/data" \
+  -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_FLAGS_RELEASE="-O1 -DNDEBUG" -DCMAKE_CXX_FLAGS="-Wall -Wextra -Wpedantic -Werror" \
+  -DWITH_demo=ON -DCMAKE_UNITY_BUILD=ON -DCMAKE_UNITY_BUILD_BATCH_SIZE=5 \
+  -DWITH_examples=ON -DGROUP_EXAMPLES=ON -DEXAMPLE_COMPILE_OPTIONS=-O0 -DWITH_tests=ON -DGROUP_TESTS=ON
 cmake --build "$build" --parallel 2
 OPENBLAS_NUM_THREADS=1 ctest --test-dir "$build" --parallel 2 --output-on-failure
 

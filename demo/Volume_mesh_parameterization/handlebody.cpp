@@ -2,6 +2,7 @@
 
 #include "Chosen_solver_traits.h"
 #include "commands.h"
+#include "load_input.h"
 
 #include <CGAL/Volume_mesh_parameterization/Boundary_partition_3.h>
 
@@ -72,10 +73,13 @@ void add_partition(CLI::App& command, Partition_command& options) {
       ->check(CLI::Range(0, 99).description("from 0"))
       ->capture_default_str();
   add_quiet(command, options.quiet);
+  command.callback([&options] {
+    if (options.given_labels != VMP::IGNORE_LABELS && is_surface_file(options.input.file))
+      throw CLI::ValidationError("--labels", options.input.file + " is a surface file, which has no labels");
+  });
 }
 
-// Unless they are all that is asked for, hexahedra may be left out.
-void add_hexahedra(CLI::App& command, Hexahedra_options& options, bool is_required) {
+void add_hexahedra(CLI::App& command, Hexahedra_options& options) {
   constexpr double greatest_grading = 10;
   command.add_option("--hexes", options.number, "also a hexahedral mesh of about so many cells; 0: none")
       ->check(CLI::Range(0., most_cells).description("up to 1e7"))
@@ -98,11 +102,13 @@ void add_hexahedra(CLI::App& command, Hexahedra_options& options, bool is_requir
       ->check(CLI::IsMember({"medit", "gmsh", "abaqus", "vtu"}).description("of {medit,gmsh,abaqus,vtu}"))
       ->capture_default_str();
   command.add_flag("--pillow", options.has_pillow, "with hexahedra: a layer of them along the boundary, for good corners where it is smooth");
-  command.callback([&command, &options, is_required] {
-    if (is_required && !options.is_wanted()) throw CLI::RequiredError("--hexes, --hex-edge or --hex-cells");
-    for (const char* option : {"--hex-grading", "--hex-format", "--pillow"})
-      if (command.count(option) > 0 && !options.is_wanted()) throw CLI::RequiresError(option, "--hexes");
-  });
+}
+
+// Unless they are all that is asked for, hexahedra may be left out, but then there is nothing to say about them.
+void check_hexahedra(const CLI::App& command, const Hexahedra_options& options, bool is_required) {
+  if (is_required && !options.is_wanted()) throw CLI::RequiredError("--hexes, --hex-edge or --hex-cells");
+  for (const char* option : {"--hex-grading", "--hex-format", "--pillow"})
+    if (command.count(option) > 0 && !options.is_wanted()) throw CLI::RequiresError(option, "--hexes");
 }
 
 void add_threads(CLI::App& command, std::size_t& threads) {
@@ -125,7 +131,7 @@ void add_parameterize(CLI::App& command, Parameterize_options& options) {
   command.add_option("--field", options.field, "the curves: certified (default), of the flux itself, or also the paper's averaged gradient for comparison")
       ->transform(CLI::Transformer(fields).description(""))
       ->transform(CLI::IsMember(fields));
-  add_hexahedra(command, options.hexahedra, false);
+  add_hexahedra(command, options.hexahedra);
   CLI::Option* boundary_map = command.add_option("--boundary-map", options.boundary_map, "onto a polycube instead of a prism that fits: a file like INPUT whose points are the images of the vertices of INPUT; those on the boundary count")
       ->type_name("FILE")
       ->excludes(partition)
@@ -149,14 +155,20 @@ void add_parameterize(CLI::App& command, Parameterize_options& options) {
       ->capture_default_str();
   add_threads(command, options.threads);
   add_quiet(command, options.quiet);
+  command.callback([&command, &options] {
+    check_hexahedra(command, options.hexahedra, false);
+    if (options.input.partition == "labels" && options.input.direction)
+      throw CLI::ExcludesError("--partition labels", "--direction");
+  });
 }
 
 void add_remesh(CLI::App& command, Remesh_command& options) {
   command.add_option("DIR", options.folder, "the folder of a result with parameter.mesh")->required();
   command.add_option("-o,--output", options.output, "the folder for the hexahedra and their report")->required();
-  add_hexahedra(command, options.hexahedra, true);
+  add_hexahedra(command, options.hexahedra);
   add_threads(command, options.threads);
   add_quiet(command, options.quiet);
+  command.callback([&command, &options] { check_hexahedra(command, options.hexahedra, true); });
 }
 
 int run(int argc, char** argv) {

@@ -15,12 +15,12 @@ using VMP::Status;
 
 namespace {
 
-using Boxes = std::map<int, CGAL::Bbox_3>; // around the image of each patch
+using Patch_boxes = std::map<int, CGAL::Bbox_3>; // around the image of each patch
 
 VMP::Rectangle_2 rectangle(const CGAL::Bbox_3& box) { return {box.xmin(), box.ymin(), box.xmax(), box.ymax()}; }
 
 // The greatest rectangle is the outer one.
-VMP::Prism_3<Kernel> prism_in(const Boxes& boxes) {
+VMP::Prism_3<Kernel> prism_in(const Patch_boxes& boxes) {
   std::vector<std::pair<VMP::Rectangle_2, int>> rims; // with labels
   for (const auto& [label, box] : boxes)
     if (label >= VMP::FIRST_WALL) rims.emplace_back(rectangle(box), label);
@@ -65,7 +65,7 @@ Status load_images(const Result_folder& folder, const Mesh& solid, std::vector<P
 }
 
 Status find_prism(const Mesh& solid, const std::vector<Point_3>& images, VMP::Prism_3<Kernel>& prism) {
-  Boxes boxes;
+  Patch_boxes boxes;
   for (VMP::Facet_index f : solid.boundary_facets())
     for (VMP::Vertex_index v : solid.vertices(f)) boxes[solid.label(f)] += images[v].bbox();
   prism = prism_in(boxes);

@@ -7,6 +7,7 @@
 #include <CGAL/Volume_mesh_parameterization/verify_product.h>
 
 #include "io_test_util.h"
+#include "partition_test_util.h"
 #include "solid_test_util.h"
 #include "surface_test_util.h"
 
@@ -20,22 +21,10 @@
 namespace VMP = CGAL::Volume_mesh_parameterization;
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Point = Kernel::Point_3;
-using Solid = VMP::Tetrahedron_soup_3<Point>;
 using Mesh = VMP::Compact_tetrahedral_mesh_3<Kernel>;
 using Sequence = VMP::Partition_sequence_3<Kernel>;
 using Search = VMP::Parameterization_search_3<Kernel>;
 using Options = VMP::Parameterization_search_options;
-
-Mesh mesh_of(const Solid& soup) {
-  Mesh mesh;
-  expect(mesh.assign(soup), VMP::OK);
-  return mesh;
-}
-
-Mesh unlabelled(Solid soup) {
-  soup.facets.clear();
-  return mesh_of(soup);
-}
 
 // Both maps are of the same solid and domain, and bijective.
 void test_result(const Search& search) {

@@ -2,10 +2,10 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
 #include <CGAL/Volume_mesh_parameterization/Partition_search_3.h>
-#include <CGAL/Volume_mesh_parameterization/check_tetrahedral_mesh.h>
 #include <CGAL/Volume_mesh_parameterization/partition_boundary.h>
 
 #include "io_test_util.h"
+#include "partition_test_util.h"
 #include "solid_test_util.h"
 
 #include <cassert>
@@ -18,16 +18,9 @@
 namespace VMP = CGAL::Volume_mesh_parameterization;
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Point = Kernel::Point_3;
-using Solid = VMP::Tetrahedron_soup_3<Point>;
 using Mesh = VMP::Compact_tetrahedral_mesh_3<Kernel>;
 using Search = VMP::Partition_search_3<Kernel>;
 using Direction = VMP::Sweep_direction_3;
-
-Mesh labelled(const Solid& soup) {
-  Mesh mesh;
-  expect(mesh.assign(soup), VMP::OK);
-  return mesh;
-}
 
 // label_of(barycentre, old label) is the new label of a facet.
 template <typename LabelOf>
@@ -38,10 +31,6 @@ Mesh relabelled(Mesh mesh, const LabelOf& label_of) {
         f, label_of(CGAL::centroid(mesh.point(v[0]), mesh.point(v[1]), mesh.point(v[2])), mesh.label(f)));
   }
   return mesh;
-}
-
-Mesh unlabelled(const Solid& soup) {
-  return relabelled(labelled(soup), [](const Point&, int) { return VMP::INTERIOR; });
 }
 
 VMP::Partition_options options_with(VMP::Given_labels given_labels,
@@ -78,14 +67,11 @@ void test_candidates(const Mesh& mesh, std::size_t at_least, bool only_by_loops 
   for (std::size_t i = 0; i < candidates.size(); ++i) {
     Mesh partitioned = mesh;
     expect(search.label(i, partitioned), VMP::OK);
-    expect(VMP::check_tetrahedral_mesh(partitioned), VMP::OK);
-    VMP::Boundary_partition_3 summary;
-    VMP::Handlebody_certificate certificate;
-    expect(VMP::validate_solid(partitioned, summary, certificate), VMP::OK);
+    const VMP::Boundary_partition_3 partition = validate(partitioned);
     assert(std::equal(mesh.points().begin(), mesh.points().end(), partitioned.points().begin()));
     assert(i == 0 || candidates[i - 1].cost <= candidates[i].cost);
     assert(candidates[i].cost == VMP::cost(candidates[i].quality) && std::isfinite(candidates[i].cost));
-    assert(summary.genus == candidates[i].partition.genus);
+    assert(partition.genus == candidates[i].partition.genus);
     assert(!only_by_loops || candidates[i].method == VMP::BY_LOOPS);
     VMP::Partition_quality quality;
     expect(VMP::measure_partition(partitioned, candidates[i].direction, quality), VMP::OK);
@@ -193,7 +179,7 @@ bool is_in_hole(const Point& p) { return !is_outer(p) && p.z() > 0 && p.z() < 1;
 
 // Where any two facets of a block with a hole are walls, they are the sides of the block and of the hole.
 void test_picked_walls() {
-  const Mesh block = labelled(Block_with_holes<Point>(1, 2, 2).soup());
+  const Mesh block = mesh_of(Block_with_holes<Point>(1, 2, 2).soup());
   const int outer_wall = VMP::FIRST_WALL + 1, inner_wall = VMP::FIRST_WALL;
   for (bool picks_outer : {false, true}) {
     Mesh mesh = relabelled(block, [&](const Point& p, int) -> int {
@@ -227,7 +213,7 @@ void expect_refusal(const Mesh& block, const Pick& pick, const std::string& reas
 }
 
 void test_impossible_picks() {
-  const Mesh block = labelled(Block_with_holes<Point>(1, 2, 2).soup());
+  const Mesh block = mesh_of(Block_with_holes<Point>(1, 2, 2).soup());
   const int wall = VMP::FIRST_WALL, none = VMP::INTERIOR;
   expect_refusal(
       block, [&](const Point& p) { return p.x() == 0 || is_in_hole(p) ? wall : none; }, "wall 0");
@@ -255,7 +241,7 @@ void test_honoured(Mesh mesh) {
 void test_complete_picks() {
   Random random(5);
   for (int holes : {0, 2}) {
-    const Mesh block = labelled(Block_with_holes<Point>(holes, 2, 2).soup());
+    const Mesh block = mesh_of(Block_with_holes<Point>(holes, 2, 2).soup());
     test_honoured(block);
     test_honoured(
         relabelled(block, [&](const Point&, int label) { return random.below(3) ? VMP::INTERIOR : label; }));
@@ -279,9 +265,7 @@ void test_random_picks(const Mesh& mesh) {
       ++number_of_refusals;
       continue;
     }
-    VMP::Boundary_partition_3 summary;
-    VMP::Handlebody_certificate certificate;
-    expect(VMP::validate_solid(partitioned, summary, certificate), VMP::OK);
+    validate(partitioned);
     if (partitioned.number_of_vertices() == mesh.number_of_vertices())
       for (VMP::Facet_index f : mesh.boundary_facets())
         assert(picked.label(f) == VMP::INTERIOR || picked.label(f) == partitioned.label(f));
@@ -294,7 +278,7 @@ void test_random_picks(const Mesh& mesh) {
 void test_mending() {
   Random random(7);
   for (int holes = 0; holes <= 3; ++holes) {
-    const Mesh legal = labelled(shaped_block<Point>(Shape::JITTERED, holes, 4, 3));
+    const Mesh legal = mesh_of(shaped_block<Point>(Shape::JITTERED, holes, 4, 3));
     Mesh mesh = legal;
     for (int k = 0; k < 12; ++k)
       mesh.set_label(VMP::Facet_index(random.below(mesh.number_of_boundary_facets())),
@@ -305,8 +289,7 @@ void test_mending() {
     assert(mesh.points() == legal.points());
     for (VMP::Facet_index f : mesh.boundary_facets())
       assert(std::min<int>(mesh.label(f), VMP::FIRST_WALL) == std::min<int>(legal.label(f), VMP::FIRST_WALL));
-    VMP::Boundary_partition_3 summary;
-    expect(VMP::validate_partition(mesh, summary), VMP::OK);
+    validate(mesh);
   }
 }
 
@@ -314,16 +297,14 @@ void test_mending() {
 void test_mending_of_halves() {
   for (int holes = 0; holes <= 2; ++holes) {
     const Mesh halves =
-        relabelled(labelled(Block_with_holes<Point>(holes, 3, 3).soup()), [](const Point& p, int label) {
+        relabelled(mesh_of(Block_with_holes<Point>(holes, 3, 3).soup()), [](const Point& p, int label) {
           return label < VMP::FIRST_WALL ? label : p.z() < .5 ? int(VMP::FLOOR) : int(VMP::CEILING);
         });
     Mesh mesh = halves;
     VMP::Partition_candidate_3 chosen;
     expect(VMP::partition_boundary(mesh, options_with(VMP::MEND_LABELS), &chosen), VMP::OK);
     assert(chosen.method == VMP::BY_LABELS);
-    VMP::Boundary_partition_3 summary;
-    VMP::Handlebody_certificate certificate;
-    expect(VMP::validate_solid(mesh, summary, certificate), VMP::OK);
+    validate(mesh);
     for (VMP::Facet_index f : mesh.boundary_facets())
       for (VMP::Vertex_index v : mesh.vertices(f)) {
         assert(mesh.label(f) != VMP::FLOOR || mesh.point(v).z() < .6);
@@ -334,7 +315,7 @@ void test_mending_of_halves() {
 
 // Labels that mean nothing are replaced.
 void test_mending_of_nonsense() {
-  const Mesh legal = labelled(Block_with_holes<Point>(1, 4, 2).soup());
+  const Mesh legal = mesh_of(Block_with_holes<Point>(1, 4, 2).soup());
   Mesh mesh = legal;
   for (std::size_t f : {0, 50, 100})
     mesh.set_label(VMP::Facet_index(f), f == 0 ? -5 : f == 50 ? 1000000000 : 0);
@@ -371,7 +352,7 @@ void test_method_names() {
 
 // Labels that are to be ignored change nothing.
 void test_ignored_labels() {
-  const Mesh labelled_block = labelled(Block_with_holes<Point>(1, 1, 1).soup());
+  const Mesh labelled_block = mesh_of(Block_with_holes<Point>(1, 1, 1).soup());
   const Mesh block = unlabelled(Block_with_holes<Point>(1, 1, 1).soup());
   const VMP::Partition_options options = options_with(VMP::IGNORE_LABELS);
   Search with(labelled_block, options), without(block, options);

@@ -3,11 +3,10 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
 #include <CGAL/Volume_mesh_parameterization/Partition_sequence_3.h>
-#include <CGAL/Volume_mesh_parameterization/check_tetrahedral_mesh.h>
 #include <CGAL/Volume_mesh_parameterization/make_triangle_soup.h>
-#include <CGAL/Volume_mesh_parameterization/validate_partition.h>
 
 #include "io_test_util.h"
+#include "partition_test_util.h"
 #include "solid_test_util.h"
 #include "surface_test_util.h"
 
@@ -24,33 +23,10 @@ namespace VMP = CGAL::Volume_mesh_parameterization;
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Exact_kernel = CGAL::Exact_predicates_exact_constructions_kernel;
 using Point = Kernel::Point_3;
-using Solid = VMP::Tetrahedron_soup_3<Point>;
 using Surface = VMP::Triangle_soup_3<Point>;
 using Mesh = VMP::Compact_tetrahedral_mesh_3<Kernel>;
 using Sequence = VMP::Partition_sequence_3<Kernel>;
 using Visitor = VMP::Default_parameterization_visitor;
-
-Mesh unlabelled(Solid soup) {
-  soup.facets.clear();
-  Mesh mesh;
-  expect(mesh.assign(soup), VMP::OK);
-  return mesh;
-}
-
-VMP::Partition_options along(const VMP::Sweep_direction_3& direction) {
-  VMP::Partition_options options;
-  options.directions = {direction};
-  return options;
-}
-
-template <typename Mesh>
-VMP::Boundary_partition_3 validate(const Mesh& mesh) {
-  expect(VMP::check_tetrahedral_mesh(mesh), VMP::OK);
-  VMP::Boundary_partition_3 summary;
-  VMP::Handlebody_certificate certificate;
-  expect(VMP::validate_solid(mesh, summary, certificate), VMP::OK);
-  return summary;
-}
 
 bool are_alike(const VMP::Partition_candidate_3& a, const VMP::Partition_candidate_3& b) {
   return a.method == b.method && std::abs(a.direction * b.direction) > .866 * std::sqrt(a.direction.squared_length() * b.direction.squared_length());

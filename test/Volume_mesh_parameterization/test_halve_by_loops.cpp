@@ -6,10 +6,10 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Partition_maker.h>
 #include <CGAL/Volume_mesh_parameterization/partition_boundary.h>
 #include <CGAL/Volume_mesh_parameterization/sweep_with_repairs.h>
-#include <CGAL/Volume_mesh_parameterization/validate_partition.h>
 #include <CGAL/Volume_mesh_parameterization/verify_product.h>
 
 #include "io_test_util.h"
+#include "partition_test_util.h"
 #include "solid_test_util.h"
 
 #include <cassert>
@@ -22,13 +22,6 @@ using Point = Kernel::Point_3;
 using Mesh = VMP::Compact_tetrahedral_mesh_3<Kernel>;
 using Soup = VMP::Tetrahedron_soup_3<Point>;
 using Direction = VMP::Sweep_direction_3;
-
-Mesh unlabelled(Soup soup) {
-  soup.facets.clear();
-  Mesh mesh;
-  expect(mesh.assign(soup), VMP::OK);
-  return mesh;
-}
 
 // Only by loops, for walls as wide as by default.
 template <typename Mesh>
@@ -51,10 +44,7 @@ void test_partition(const Mesh& mesh, const Direction& direction) {
   Mesh labelled = mesh;
   expect(label_by_loops(labelled, direction), VMP::OK);
   for (VMP::Vertex_index v : mesh.vertices()) assert(labelled.point(v) == mesh.point(v));
-  expect(VMP::check_tetrahedral_mesh(labelled), VMP::OK);
-  VMP::Boundary_partition_3 summary;
-  VMP::Handlebody_certificate certificate;
-  expect(VMP::validate_solid(labelled, summary, certificate), VMP::OK);
+  validate(labelled);
   VMP::Preparation counts;
   VMP::Product_structure_3<Kernel> structure;
   VMP::Sweep_report report;
@@ -110,9 +100,7 @@ void test_exact_kernel() {
   VMP::Compact_tetrahedral_mesh_3<Exact> mesh;
   expect(mesh.assign(shaped_block<Exact::Point_3>(Shape::PLAIN, 1, 1, 1)), VMP::OK);
   expect(label_by_loops(mesh, Direction(0, 1, 1)), VMP::OK);
-  VMP::Boundary_partition_3 summary;
-  VMP::Handlebody_certificate certificate;
-  expect(VMP::validate_solid(mesh, summary, certificate), VMP::OK);
+  validate(mesh);
 }
 
 void test_quotient() {

@@ -4,9 +4,9 @@
 
 #include <CGAL/Volume_mesh_parameterization/make_triangle_soup.h>
 #include <CGAL/Volume_mesh_parameterization/partition_boundary.h>
-#include <CGAL/Volume_mesh_parameterization/validate_partition.h>
 
 #include "io_test_util.h"
+#include "partition_test_util.h"
 #include "solid_test_util.h"
 #include "surface_test_util.h"
 
@@ -26,31 +26,6 @@ using Surface = VMP::Triangle_soup_3<Point>;
 using Mesh = VMP::Compact_tetrahedral_mesh_3<Kernel>;
 using Direction = VMP::Sweep_direction_3;
 
-template <typename K>
-VMP::Compact_tetrahedral_mesh_3<K> unlabelled(VMP::Tetrahedron_soup_3<typename K::Point_3> soup) {
-  soup.facets.clear();
-  VMP::Compact_tetrahedral_mesh_3<K> mesh;
-  expect(mesh.assign(soup), VMP::OK);
-  return mesh;
-}
-
-VMP::Partition_options along(const Direction& direction, double wall_width = .5) {
-  VMP::Partition_options options;
-  options.directions = {direction};
-  options.wall_width = wall_width;
-  return options;
-}
-
-// All cells are positive and the labels legal.
-template <typename Mesh>
-VMP::Boundary_partition_3 validate(const Mesh& mesh) {
-  expect(VMP::check_tetrahedral_mesh(mesh), VMP::OK);
-  VMP::Boundary_partition_3 summary;
-  VMP::Handlebody_certificate certificate;
-  expect(VMP::validate_solid(mesh, summary, certificate), VMP::OK);
-  return summary;
-}
-
 template <typename Mesh>
 VMP::Partition_quality quality_of(const Mesh& mesh, const Direction& direction) {
   VMP::Partition_quality quality;
@@ -63,7 +38,7 @@ template <typename K>
 void test_block(int holes) {
   VMP::Compact_tetrahedral_mesh_3<K> original;
   expect(original.assign(Block_with_holes<typename K::Point_3>(holes, 2, 2).soup()), VMP::OK);
-  auto mesh = unlabelled<K>(make_soup(original));
+  auto mesh = unlabelled(make_soup(original));
   VMP::Partition_candidate_3 chosen;
   expect(VMP::partition_boundary(mesh, along({.05, 0, 1}), &chosen), VMP::OK);
   assert(chosen.method == VMP::BY_CREASES && chosen.partition.genus == holes);
@@ -80,7 +55,7 @@ void test_block(int holes) {
 template <typename K>
 void test_smooth(const VMP::Tetrahedron_soup_3<typename K::Point_3>& soup, const Direction& direction,
                  int genus) {
-  const auto original = unlabelled<K>(soup);
+  const auto original = unlabelled(soup);
   auto mesh = original;
   VMP::Partition_candidate_3 chosen;
   expect(VMP::partition_boundary(mesh, along(direction), &chosen), VMP::OK);
@@ -110,8 +85,10 @@ void test_smooth_solids() {
 void test_wall_width() {
   double last = 0;
   for (double width : {.05, .1, .2, .4, .6}) {
-    Mesh mesh = unlabelled<Kernel>(solid_torus<Point>(48, 24, 2));
-    expect(VMP::partition_boundary(mesh, along({0, 0, 1}, width)), VMP::OK);
+    Mesh mesh = unlabelled(solid_torus<Point>(48, 24, 2));
+    VMP::Partition_options options = along({0, 0, 1});
+    options.wall_width = width;
+    expect(VMP::partition_boundary(mesh, options), VMP::OK);
     const double share = quality_of(mesh, {0, 0, 1}).wall_share;
     assert(share > 1.2 * last);
     last = share;
@@ -120,7 +97,7 @@ void test_wall_width() {
 
 // Neither labels that the solid has nor a lack of them matter, if they are not to be kept or mended.
 void test_labels_are_ignored() {
-  Mesh labelled, other = unlabelled<Kernel>(Block_with_holes<Point>(1, 2, 2).soup());
+  Mesh labelled, other = unlabelled(Block_with_holes<Point>(1, 2, 2).soup());
   expect(labelled.assign(make_soup(other)), VMP::OK);
   for (VMP::Facet_index f : labelled.boundary_facets()) labelled.set_label(f, VMP::FLOOR);
   expect(VMP::partition_boundary(labelled), VMP::OK);
@@ -149,7 +126,7 @@ Solid two_blocks() {
 }
 
 void test_refusals() {
-  const Mesh block = unlabelled<Kernel>(Block_with_holes<Point>(1, 1, 1).soup());
+  const Mesh block = unlabelled(Block_with_holes<Point>(1, 1, 1).soup());
   const double infinity = std::numeric_limits<double>::infinity();
   for (const Direction& d : {Direction(0, 0, 0), Direction(0, 0, NAN), Direction(infinity, 0, 0)}) {
     expect_refusal(block, along(d), VMP::ERROR_WRONG_PARAMETER);
@@ -158,11 +135,11 @@ void test_refusals() {
     expect_refusal(block, second, VMP::ERROR_WRONG_PARAMETER);
   }
   expect_refusal(Mesh(), {}, VMP::ERROR_EMPTY_MESH);
-  expect_refusal(unlabelled<Kernel>(two_blocks()), {}, VMP::ERROR_SEVERAL_COMPONENTS);
+  expect_refusal(unlabelled(two_blocks()), {}, VMP::ERROR_SEVERAL_COMPONENTS);
   Solid pinched;
   pinched.points = {{0, 0, 0}, {0, 0, 1}, {1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}};
   pinched.cells = {{{0, 2, 3, 1}}, {{0, 4, 5, 1}}};
-  expect_refusal(unlabelled<Kernel>(pinched), {}, VMP::ERROR_NON_MANIFOLD);
+  expect_refusal(unlabelled(pinched), {}, VMP::ERROR_NON_MANIFOLD);
 }
 
 int main() {

@@ -115,6 +115,8 @@ test_wrong_usage() {
   run 2 no-such-command
   run 2 parameterize block.mesh -o result --field steepest
   run 2 parameterize block.mesh -o result --direction 1,2
+  run 2 parameterize block.mesh -o result --partition labels --direction 0,0,1
+  grep -q 'labels excludes --direction' errors || fail "--partition labels with --direction: stderr does not say so"
   run 2 parameterize block.mesh -o result --hexes -5
   run 2 parameterize block.mesh -o result --hexes 1000000000000
   run 2 parameterize block.mesh -o result --pillow
@@ -187,6 +189,22 @@ test_bad_direction() {
 test_unwritable_folder() {
   run 1 parameterize block.mesh -o block.mesh/result
   says_why block.mesh 'cannot write'
+}
+
+# A report that cannot be written is a failure, whether that shows before the work or after it.
+test_unwritable_report() {
+  local code=0
+  mkdir -p before/report.json/full
+  run 1 parameterize block.mesh -o before
+  says_why before/report.json 'cannot write'
+  mkfifo late.mesh
+  "$program" parameterize late.mesh -o after >output 2>errors &
+  until [ -e after/report.json ]; do sleep 0.1; done
+  rm after/report.json && mkdir after/report.json
+  : >late.mesh # the program waits for its input
+  wait $! || code=$?
+  [ "$code" -eq 1 ] || fail "exit code $code instead of 1 without a report"
+  says_why after/report.json 'cannot write'
 }
 
 # A key of the report, at whatever depth.
@@ -454,6 +472,8 @@ test_partition() {
   run 0 check labelled.mesh
 
   cube >cube.off
+  run 2 partition cube.off -o labelled.mesh --labels keep
+  grep -q 'cube.off is a surface file' errors || fail "--labels keep: stderr does not say that a surface has none"
   if ! "$program" partition cube.off -o labelled.mesh --floor 0 --tets 100 >output 2>errors; then
     run 1 partition cube.off -o labelled.mesh --floor 0
     grep -q TetGen errors || fail "a cube is refused, but not for want of TetGen"
@@ -484,6 +504,7 @@ test_bad_surfaces
 test_bad_tetrahedra
 test_bad_direction
 test_unwritable_folder
+test_unwritable_report
 test_own_input
 test_good_block
 test_surface

@@ -1,0 +1,58 @@
+# Compiles programs, tests or examples, in groups, each to one program that runs the one whose name it is given: what they
+# instantiate in common, most of the work, is compiled once. CTest runs each of them as it does without groups. They must not open a
+# namespace other than one without a name.
+
+# The lines of a program that include something; the headers must be there before the program is put into a namespace.
+function(find_includes source result)
+  set(text "")
+  file(STRINGS "${source}" lines REGEX "^#include ")
+  foreach(line IN LISTS lines)
+    string(REGEX REPLACE "^#include ([^ ]*).*" "\\1" header "${line}")
+    string(APPEND text "#if __has_include(${header})\n#include ${header}\n#endif\n") # some are there with some libraries only
+  endforeach()
+  set(${result} "${text}" PARENT_SCOPE)
+endfunction()
+
+# add_group(name source...)
+function(add_group name)
+  set(includes "#include <cstring>\n")
+  set(namespaces "")
+  set(choice "")
+  foreach(source IN LISTS ARGN)
+    find_includes(${source} of_program)
+    string(APPEND includes "${of_program}")
+    get_filename_component(program ${source} NAME_WE)
+    string(APPEND namespaces "namespace ${program} {\n#include \"${source}\"\n}\n")
+    string(APPEND choice "  if (!std::strcmp(argv[1], \"${program}\")) return run(${program}::main, argc - 1, argv + 1);\n")
+    set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${source}")
+  endforeach()
+  set(run "[[maybe_unused]] static int run(int (*main)(), int, char**) { return main(); }
+[[maybe_unused]] static int run(int (*main)(int, char**), int argc, char** argv) { return main(argc, argv); }\n")
+  set(main "int main(int argc, char** argv) {\n  if (argc < 2) return 2;\n${choice}  return 2;\n}\n")
+  set(group "${CMAKE_CURRENT_BINARY_DIR}/${name}.cpp")
+  file(CONFIGURE OUTPUT "${group}" CONTENT "${includes}${namespaces}${run}${main}" @ONLY) # leaves it as it is if nothing has changed
+  create_single_source_cgal_program("${group}" NO_TESTING)
+  target_include_directories(${name} PRIVATE "${CMAKE_CURRENT_SOURCE_DIR}")
+  foreach(source IN LISTS ARGN)
+    get_filename_component(program ${source} NAME_WE)
+    cgal_add_test(${name} TEST_NAME execution___of__${program} ARGUMENTS ${program})
+  endforeach()
+endfunction()
+
+# add_groups_of(size name source...)
+function(add_groups_of size name)
+  set(group "")
+  set(number 1)
+  foreach(source IN LISTS ARGN)
+    list(APPEND group ${source})
+    list(LENGTH group length)
+    if(length EQUAL size)
+      add_group(${name}_${number} ${group})
+      set(group "")
+      math(EXPR number "${number} + 1")
+    endif()
+  endforeach()
+  if(group)
+    add_group(${name}_${number} ${group})
+  endif()
+endfunction()
