@@ -20,6 +20,7 @@ void test_results(const Product& product, int genus) {
   const Product::Mesh& mesh = product.mesh();
   assert(product.partition().genus == genus && product.handlebody_certificate().genus() == genus);
   expect(VMP::verify_product(mesh, product.product_structure()->order()), VMP::OK);
+  assert((product.sweep_report().refinements > 0) == (product.sweep_report().bisected_edges > 0));
   assert(product.dual_potential()->values().size() == mesh.number_of_cells());
   for (VMP::Facet_index f : mesh.boundary_facets())
     for (VMP::Vertex_index v : mesh.vertices(f)) {

@@ -51,8 +51,9 @@ void test_arrangements() {
 void test_sides() {
   Prism prism(outer, {left_hole, right_hole}, 2);
   prism.set_wall_label(2, 9);
-  assert(prism.base_corners().size() == 12 && prism.base_area() == 21 - 1 - 4);
-  for (const Point_2& c : prism.base_corners()) assert(prism.bounded_side(c) == CGAL::ON_BOUNDARY);
+  assert(prism.base_area() == 21 - 1 - 4);
+  for (std::size_t rim = 0; rim < prism.number_of_rims(); ++rim)
+    for (const auto& [x, y] : prism.rim(rim).corners()) assert(prism.bounded_side(Point_2(x, y)) == CGAL::ON_BOUNDARY);
   assert(prism.bounded_side(Point_2(3, 1)) == CGAL::ON_BOUNDED_SIDE);
   assert(prism.bounded_side(Point_2(5, 1)) == CGAL::ON_UNBOUNDED_SIDE);
   assert(prism.bounded_side(Point_2(8, 1)) == CGAL::ON_UNBOUNDED_SIDE);

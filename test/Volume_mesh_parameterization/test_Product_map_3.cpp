@@ -78,8 +78,9 @@ public:
       outside += domain().bounded_side(q) == CGAL::ON_UNBOUNDED_SIDE;
     }
     assert((m_holes > 0) == (outside > 0)); // some were in holes
-    for (const Point_2& corner : domain().base_corners())
-      for (double w : {0., 0.3, 1.}) test_preimage({corner.x(), corner.y(), w * domain().height()});
+    for (std::size_t rim = 0; rim < domain().number_of_rims(); ++rim)
+      for (const auto& [x, y] : domain().rim(rim).corners())
+        for (double w : {0., 0.3, 1.}) test_preimage({x, y, w * domain().height()});
     const double x = (box.xmin + (m_holes > 0 ? domain().hole(0).xmin : box.xmax)) / 2,
                  y = box.ymin + 0.1 * box.height();
     for (const Point_3& q : {Point_3(box.xmin - 1, y, 0.1), Point_3(x, box.ymax + 1e-9, 0.1),
@@ -112,6 +113,20 @@ public:
               << report.minimum_scaled_jacobian << std::endl;
     assert(report.is_valid() && report.inverted == 0 && report.irregular_edges == 0 &&
            report.genus == m_holes);
+  }
+
+  // The image of a curve stands on its foot, from the floor to the ceiling.
+  void test_curve_over() const {
+    const VMP::Rectangle_2& box = domain().outer();
+    const Point_2 foot(box.xmin + 0.01 * box.width(), box.ymin + 0.01 * box.height());
+    VMP::Integral_curve_3<Inexact> curve;
+    assert(map().curve_over(foot, curve).ok());
+    Point_3 image(CGAL::ORIGIN);
+    for (const auto& segment : curve.segments()) {
+      assert(map().image(segment.end, image).ok());
+      assert(is_close(image, Point_3(foot.x(), foot.y(), image.z())));
+    }
+    assert(std::abs(image.z() - domain().height()) < 1e-12);
   }
 
   // Curves of a field that is zero everywhere do not arrive, and the map says so.
@@ -280,6 +295,7 @@ int main() {
     test.test_images();
     test.test_preimages();
     test.test_hexahedra();
+    test.test_curve_over();
     test.test_lost();
   }
   for (int holes = 0; holes <= 2; ++holes)

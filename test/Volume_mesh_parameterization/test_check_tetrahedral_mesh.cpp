@@ -2,6 +2,7 @@
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
+#include <CGAL/Volume_mesh_parameterization/Boundary_partition_3.h>
 #include <CGAL/Volume_mesh_parameterization/check_tetrahedral_mesh.h>
 
 #include "io_test_util.h"
@@ -47,7 +48,7 @@ void test_good_meshes() {
   for (int holes = 0; holes <= 3; ++holes) {
     const Mesh mesh = mesh_of(Block_with_holes<Point>(holes, 2, 2).soup());
     expect(VMP::check_tetrahedral_mesh(mesh), VMP::OK);
-    assert(VMP::boundary_genus(mesh) == holes);
+    assert(VMP::summarize_partition(mesh).genus == holes);
   }
   using Exact = CGAL::Exact_predicates_exact_constructions_kernel;
   VMP::Compact_tetrahedral_mesh_3<Exact> exact;
@@ -55,7 +56,7 @@ void test_good_meshes() {
   expect(VMP::check_tetrahedral_mesh(exact), VMP::OK);
   const Mesh tunnel = mesh_of(carved_block(3, [](int x, int y, int) { return x == 1 && y == 1; }));
   expect(VMP::check_tetrahedral_mesh(tunnel), VMP::OK);
-  assert(VMP::boundary_genus(tunnel) == 1);
+  assert(VMP::summarize_partition(tunnel).genus == 1);
 }
 
 void test_geometry() {

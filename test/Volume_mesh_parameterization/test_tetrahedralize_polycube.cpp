@@ -2,6 +2,7 @@
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
+#include <CGAL/Volume_mesh_parameterization/Boundary_partition_3.h>
 #include <CGAL/Volume_mesh_parameterization/IO/MEDIT.h>
 #include <CGAL/Volume_mesh_parameterization/IO/read_cells.h>
 #include <CGAL/Volume_mesh_parameterization/IO/read_polygons.h>
@@ -73,9 +74,9 @@ void test_cells() {
     std::cout << mesh.number_of_cells() << " tetrahedra for " << wanted << std::endl;
     assert(std::abs(volume(mesh) - double(l_stairs().size())) < 1e-9);
     assert(wanted < 1000 || std::abs(double(mesh.number_of_cells()) / double(wanted) - 1) < .6);
-    assert(VMP::boundary_genus(mesh) == 0);
+    assert(VMP::summarize_partition(mesh).genus == 0);
   }
-  assert(VMP::boundary_genus(filled(cubes<Point_3>(ring()))) == 1);
+  assert(VMP::summarize_partition(filled(cubes<Point_3>(ring()))).genus == 1);
 
   VMP::Compact_tetrahedral_mesh_3<Exact> exact;
   const VMP::Status status = VMP::tetrahedralize_polycube(cubes<Exact::Point_3>(l_stairs()), exact, 2000);

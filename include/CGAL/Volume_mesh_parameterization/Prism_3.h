@@ -140,14 +140,6 @@ public:
   /// labels the wall over a rim.
   void set_wall_label(std::size_t rim, int label) { m_wall_labels[rim] = label; }
 
-  /// returns the corners of the base, four for each rim.
-  std::vector<Point_2> base_corners() const {
-    std::vector<Point_2> corners;
-    for (const Rectangle_2& rim : m_rims)
-      for (const std::array<double, 2>& c : rim.corners()) corners.push_back(Point_2(c[0], c[1]));
-    return corners;
-  }
-
   /// returns the rim that `p` lies on, or the number of rims.
   std::size_t rim_at(const Point_2& p) const {
     const auto at_p = [&p](const Rectangle_2& rim) { return rim.bounded_side(p) == ON_BOUNDARY; };

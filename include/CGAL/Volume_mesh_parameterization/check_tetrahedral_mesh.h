@@ -252,21 +252,6 @@ Status check_tetrahedral_mesh(const Compact_tetrahedral_mesh_3<GeomTraits>& mesh
   return status.ok() ? check_boundary_connected(mesh) : status;
 }
 
-/*!
-\ingroup PkgVolumeMeshParameterizationVerification
-
-returns the genus of the boundary of a mesh that `check_tetrahedral_mesh()` accepts, from its Euler number.
-
-\tparam GeomTraits a model of `VolumeParameterizationTraits_3`
-*/
-template <typename GeomTraits>
-int boundary_genus(const Compact_tetrahedral_mesh_3<GeomTraits>& mesh) {
-  const std::vector<char> on_boundary = internal::vertices_on_boundary(mesh);
-  const auto vertices = std::count(on_boundary.begin(), on_boundary.end(), 1);
-  return int(1 - (vertices - std::ptrdiff_t(mesh.number_of_boundary_facets() / 2)) /
-                     2); // V - E + F with 2 E = 3 F
-}
-
 } // namespace Volume_mesh_parameterization
 } // namespace CGAL
 
