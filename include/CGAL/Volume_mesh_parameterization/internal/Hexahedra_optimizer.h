@@ -10,6 +10,7 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
+#include <CGAL/Volume_mesh_parameterization/internal/Best_nodes.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Carriers_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Corner_energy.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Hexahedron_facets.h>
@@ -63,20 +64,23 @@ public:
 
   // First with fixed rest lengths, which untangles and spreads the nodes. Then with the edges' own lengths as rest
   // lengths: only angles count, for by the inequality of means the energy is a bound, which the present nodes attain, for
-  // the same function of the scaled Jacobian. Then what of the surface is left out is covered, and angles are mended again;
-  // either undoes a part of the other, so that a round may help after one that does not, and flatter hexahedra are allowed in it.
+  // the same function of the scaled Jacobian. Then what of the surface is left out is covered. The flatter hexahedra may become
+  // on the way, the more nodes arrive; the less flat, the better the angles remain: if the former is not enough, both are tried.
   void run(int most_sweeps, double target, double tolerance) {
-    constexpr int most_rounds = 4;
+    constexpr std::pair<double, int> attempts[] = {{0.02, 4}, {0.15, 2}}; // how flat, and how many rounds
     m_most_sweeps = most_sweeps;
     m_rest_lengths = smooth_edge_lengths(m_nodes, m_hexahedra);
     spread();
     straighten(target, tolerance);
-    Best<Grade> best(m_nodes, grade(target));
-    double least_allowed = 0.15;
-    for (int round = 0; round < most_rounds && std::get<1>(best.grade()) > 0; ++round, least_allowed /= 2) {
-      cover_surface(target, least_allowed);
-      straighten(target, tolerance);
-      best.offer(m_nodes, grade(target));
+    const std::vector<Vector> straight = m_nodes;
+    Best_nodes<Grade> best(m_nodes, grade(target));
+    for (const auto& [least_allowed, most_rounds] : attempts) {
+      start_again(straight);
+      for (int round = 0; round < most_rounds && std::get<1>(best.grade()) > 0; ++round) {
+        cover_surface(target, least_allowed);
+        straighten(target, tolerance); // undoes a part: so a round may help after one that does not
+        best.offer(m_nodes, grade(target));
+      }
     }
     m_nodes = best.nodes();
   }
@@ -84,29 +88,14 @@ public:
   const std::vector<Vector>& nodes() const { return m_nodes; }
 
 private:
-  // The nodes of the least grade that has been offered.
-  template <typename Measure>
-  class Best {
-  public:
-    Best(const std::vector<Vector>& nodes, const Measure& grade) : m_nodes(nodes), m_grade(grade) {}
-
-    // Returns whether that is better.
-    bool offer(const std::vector<Vector>& nodes, const Measure& grade) {
-      if (!(grade < m_grade)) return false;
-      m_nodes = nodes;
-      m_grade = grade;
-      return true;
-    }
-
-    const Measure& grade() const { return m_grade; }
-    const std::vector<Vector>& nodes() const { return m_nodes; }
-
-  private:
-    std::vector<Vector> m_nodes;
-    Measure m_grade;
-  };
-
   // Stages.
+
+  void start_again(const std::vector<Vector>& nodes) {
+    m_nodes = nodes;
+    m_places.assign(m_places.size(), {});
+    m_is_covered = false;
+    look_at_all();
+  }
 
   // Untangles.
   void spread() {
@@ -160,7 +149,7 @@ private:
   void raise_least(double target) {
     constexpr int powers[] = {2, 4, 8, 16, 32}, fewest_sweeps = 10;
     constexpr double volume_weight = 0.2, least_gain = 1e-2, least_share = 0.5;
-    Best<Quality> best(m_nodes, quality(target));
+    Best_nodes<Quality> best(m_nodes, quality(target));
     for (int power : powers) {
       const auto [inverted, least, mean] = best.grade();
       m_least_allowed = inverted > 0 ? -1 : -least_share * least;
@@ -193,7 +182,7 @@ private:
   void leave_carriers(double target, double tolerance) {
     constexpr int most_rounds = 5, powers[] = {2, 8, 16}, fewest_sweeps = 10;
     constexpr double volume_weight = 0.2, least_gain = 1e-2;
-    Best<Quality> best(m_nodes, quality(target));
+    Best_nodes<Quality> best(m_nodes, quality(target));
     const auto is_inverted = [&] { return std::get<0>(best.grade()) > 0; };
     for (int round = 0; round < most_rounds && (is_inverted() || -std::get<1>(best.grade()) < target); ++round) {
       for (std::size_t h = 0; h < m_hexahedra.size(); ++h)
