@@ -19,8 +19,10 @@
 #include <array>
 #include <cassert>
 #include <cmath>
+#include <cstdint>
 #include <iostream>
 #include <random>
+#include <utility>
 #include <vector>
 
 enum class Shape { PLAIN, JITTERED, BENT, TWISTED };
@@ -222,6 +224,32 @@ struct Given_flux {
     return result;
   }
 };
+
+// The rates of a field that turns around an edge inside of a plain block in the cells that share it.
+template <typename Kernel>
+Rates whirl(const Swept_solid<Kernel>& solid, CGAL::Volume_mesh_parameterization::Cell_index& some_cell) {
+  using Point_3 = typename Kernel::Point_3;
+  CGAL::Volume_mesh_parameterization::Vertex_index a, b;
+  for (CGAL::Volume_mesh_parameterization::Vertex_index v : solid.mesh.vertices()) {
+    if (solid.mesh.point(v) == Point_3(0.5, 1.5, 0.5)) a = v;
+    if (solid.mesh.point(v) == Point_3(0.5, 1, 0.5)) b = v;
+  }
+  assert(a.is_valid() && b.is_valid());
+  Rates rates(solid.mesh.number_of_cells());
+  for (CGAL::Volume_mesh_parameterization::Cell_index c : solid.mesh.cells()) {
+    const int i = solid.mesh.index(c, a), j = solid.mesh.index(c, b);
+    if (i < 0 || j < 0) continue;
+    int p = 0;
+    while (p == i || p == j) ++p;
+    int q = 6 - i - j - p;
+    const auto point = [&](int k) { return solid.mesh.point(solid.mesh.vertex(c, k)); };
+    if (CGAL::orientation(point(i), point(j), point(p), point(q)) == CGAL::NEGATIVE) std::swap(p, q);
+    rates[c][p] = -1;
+    rates[c][q] = 1;
+    some_cell = c;
+  }
+  return rates;
+}
 
 // The facets of the floor.
 template <typename Mesh>

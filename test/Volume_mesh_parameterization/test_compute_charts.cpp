@@ -9,6 +9,7 @@
 
 #include <cassert>
 #include <cstdlib>
+#include <string>
 #include <vector>
 
 namespace VMP = CGAL::Volume_mesh_parameterization;
@@ -77,10 +78,24 @@ void test_lost() {
   assert(charts.size() == 3);
 }
 
+// A curve that goes round for ever is told too.
+void test_whirl() {
+  const Swept_solid<Inexact> solid(shaped_block<Inexact::Point_3>(Shape::PLAIN, 0, 2, 2));
+  VMP::Cell_index cell;
+  const VMP::Curve_field_3<Inexact> field(solid.mesh, Given_flux{whirl(solid, cell)}, solid.harmonic);
+  const VMP::Integral_curves_3<Inexact> curves(solid.mesh, field);
+  std::vector<VMP::Curve_chart_3<Inexact>> charts;
+  const Locations<Inexact> points(5, {cell, {0.25, 0.25, 0.25, 0.25}});
+  const VMP::Status status = VMP::compute_charts(curves, points, charts);
+  expect(status, VMP::ERROR_CURVE_LOST);
+  assert(status.detail().find("is passed twice") != std::string::npos);
+}
+
 int main() {
   test<Inexact>(0, {0, 1, 2, 3, 127, 128, 129, 1000});
   test<Inexact>(2, {500});
   test<Exact>(1, {50});
   test_lost();
+  test_whirl();
   return EXIT_SUCCESS;
 }

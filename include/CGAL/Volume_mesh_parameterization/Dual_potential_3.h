@@ -102,6 +102,7 @@ private:
     return sum / 4;
   }
 
+  // Apart from what calls it, so that the matrix is gone before the residual takes memory.
   void correct_values(const std::vector<double>& volumes) {
     constexpr int steps = 40; // as few sweeps stop as along the solution; with 20, some more
     constexpr double tolerance = 1e-10;

@@ -51,13 +51,15 @@ Status compute_charts(const Integral_curves_3<GeomTraits>& curves, const std::ve
     result[order[k]] = std::move(chart);
     return true;
   };
-  Status status;
-  if (internal::for_each_chart<ConcurrencyTag>(curves, points.size(), point, keep))
+  if (internal::for_each_chart<ConcurrencyTag>(curves, points.size(), point, keep)) {
     charts = std::move(result);
-  else
-    for (std::size_t i = 0; i < points.size() && status.ok(); ++i)
-      for (Curve_direction direction : {DOWN, UP})
-        if (status.ok()) status = curves.trace_to_base(points[i], direction, result[i].floor, result[i].below);
+    return {};
+  }
+  Status status; // once more, one after the other, to know which one fails
+  for (std::size_t i = 0; i < points.size() && status.ok(); ++i) {
+    status = curves.trace_to_base(points[i], DOWN, result[i].floor, result[i].below);
+    if (status.ok()) status = curves.trace_to_base(points[i], UP, result[i].ceiling, result[i].above);
+  }
   return status;
 }
 
