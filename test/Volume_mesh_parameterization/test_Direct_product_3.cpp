@@ -51,8 +51,7 @@ void test_kinds_of_curves(int holes) {
   }
 }
 
-void test_threads() {
-  const Soup soup = shaped_block<Kernel::Point_3>(Shape::JITTERED, 1, 3, 4);
+void test_threads(const Soup& soup) {
   Product one, several;
   expect(one.build(soup), VMP::OK);
   expect(several.build<CGAL::Parallel_if_available_tag>(soup), VMP::OK);
@@ -87,7 +86,10 @@ void test_failures() {
 
 int main() {
   for (int holes = 0; holes <= 2; ++holes) test_kinds_of_curves(holes);
-  test_threads();
+  test_threads(shaped_block<Kernel::Point_3>(Shape::JITTERED, 1, 3, 4));
+  const Soup large = shaped_block<Kernel::Point_3>(Shape::JITTERED, 1, 13, 13);
+  assert(large.cells.size() > 1 << 16); // several blocks of each loop
+  test_threads(large);
   test_failures();
   std::cout << "done" << std::endl;
   return EXIT_SUCCESS;

@@ -228,17 +228,15 @@ double energy_of(const Mesh& mesh, const Field& field) {
   return sum;
 }
 
-// Relaxed long enough, the conservative flux becomes that of least energy; its total through the ceiling stays, so what is
-// compared is the direction, with a flux of the same total.
-void test_relaxation() {
+// Relaxed long enough, the conservative flux becomes that of least energy, whatever the blocks; its total through the ceiling
+// stays, so what is compared is the direction, with a flux of the same total.
+void test_relaxation(std::size_t cells_per_block) {
+  using Tag = CGAL::Parallel_if_available_tag;
   const Mesh mesh = mesh_of(wedge(2));
-  std::vector<double> volumes;
-  const VMP::Status status = VMP::internal::compute_volumes(mesh, volumes);
-  assert(status.ok());
   const Field rough = equilibrated(mesh), best = solved(mesh);
   std::vector<double> fluxes;
   for (VMP::Facet_index f : mesh.facets()) fluxes.push_back(rough.flux(f));
-  VMP::internal::Circulation_relaxation<Mesh>(mesh, volumes, fluxes).run(2000);
+  VMP::internal::Circulation_relaxation<Mesh>(mesh, Tag(), cells_per_block).run<Tag>(2000, fluxes);
   const double ratio = rough.total_flux(VMP::CEILING) / best.total_flux(VMP::CEILING);
   double error = 0, before = 0, largest = 0;
   for (VMP::Facet_index f : mesh.facets()) {
@@ -316,7 +314,7 @@ int main() {
   }
   test_solvers_agree();
   test_methods_agree();
-  test_relaxation();
+  for (std::size_t cells_per_block : {1, 20, 1000}) test_relaxation(cells_per_block);
   test_exact_kernel();
   test_balance_rates();
   test_refusals();

@@ -17,6 +17,7 @@
 namespace VMP = CGAL::Volume_mesh_parameterization;
 using VMP::internal::Concurrency_for;
 using VMP::internal::for_each_index;
+using VMP::internal::try_all;
 using VMP::internal::try_each_in_order;
 using VMP::internal::try_each_index;
 
@@ -67,6 +68,23 @@ void test_order() {
   }
 }
 
+// All functions are called, or those before the first one that fails; its failure is told.
+template <typename Tag>
+void test_functions() {
+  for (int first : {0, 1, 2, 3}) {
+    std::vector<int> calls(3, 0);
+    const auto function = [&](int i) {
+      return [&calls, i, first] {
+        ++calls[i];
+        return i < first ? VMP::Status() : VMP::Status(VMP::ERROR_CURVE_LOST, std::to_string(i));
+      };
+    };
+    const VMP::Status status = try_all<Tag>(function(0), function(1), function(2));
+    assert(status.ok() == (first == 3) && (status.ok() || status.detail() == std::to_string(first)));
+    for (int i = 0; i < first; ++i) assert(calls[i] == 1);
+  }
+}
+
 template <typename Tag>
 std::vector<double> results() {
   std::vector<double> x(3000);
@@ -78,6 +96,7 @@ std::vector<double> results() {
 template <typename Tag>
 void test() {
   test_loop<Tag>();
+  test_functions<Tag>();
   test_failures<Tag>();
   test_order<Tag>();
   assert(results<Tag>() == results<CGAL::Sequential_tag>());

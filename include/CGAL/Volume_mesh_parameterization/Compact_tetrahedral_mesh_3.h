@@ -14,9 +14,11 @@
 #include <CGAL/Volume_mesh_parameterization/Tetrahedron_soup_3.h>
 #include <CGAL/Volume_mesh_parameterization/indices.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Incidence_lists.h>
+#include <CGAL/Volume_mesh_parameterization/internal/for_each_index.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/number_utils.h>
+#include <CGAL/tags.h>
 
 #include <boost/range/irange.hpp>
 #include <boost/range/adaptor/transformed.hpp>
@@ -69,23 +71,25 @@ public:
 
   /// copies `mesh` and its labels, in linear time for vertices of bounded degree. Indices are checked, geometry and
   /// topology are not: see `check_tetrahedral_mesh()`. The numbers of facets do not depend on whether `mesh` knows neighbors.
+  /// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`
   /// \tparam TetrahedralMesh a model of `TetrahedralMesh_3`
   /// \returns `ERROR_EMPTY_MESH`, `ERROR_WRONG_PARAMETER` (more than `most_cells`, or as many vertices; a neighbor that is
   /// none), `ERROR_INDEX_OUT_OF_RANGE`, `ERROR_NON_MANIFOLD` (a facet in three cells, or in two that are no neighbors) or
   /// `ERROR_LABEL_NOT_ON_BOUNDARY`; then the mesh is left empty
-  template <typename TetrahedralMesh>
+  template <typename ConcurrencyTag = Sequential_tag, typename TetrahedralMesh>
   Status assign(const TetrahedralMesh& mesh) {
     std::vector<std::uint32_t> opposites;
     Status status = copy(mesh);
     if constexpr (internal::Knows_neighbors<TetrahedralMesh>::value) // an optional operation of the concept
       if (status.ok()) status = read_neighbors(mesh, opposites);
-    if (status.ok()) status = number_facets(opposites);
+    if (status.ok()) status = number_facets<ConcurrencyTag>(opposites);
     if (status.ok()) status = read_labels(mesh.labelled_facets());
     if (!status.ok()) *this = Compact_tetrahedral_mesh_3();
     return status;
   }
 
   /// copies a mesh of the same type, facets and all; its vertices count as given.
+  template <typename ConcurrencyTag = Sequential_tag>
   Status assign(const Compact_tetrahedral_mesh_3& mesh) {
     *this = mesh;
     m_split_simplices.clear();
@@ -97,13 +101,14 @@ public:
   /// \pre the four vertices of a cell are different, and less than the number of points
   /// \returns `ERROR_WRONG_PARAMETER` (more than `most_cells`, or as many vertices) or `ERROR_NON_MANIFOLD`; then the mesh is left
   /// empty
+  template <typename ConcurrencyTag = Sequential_tag>
   Status assign(std::vector<Point_3> points, std::vector<Cell_vertices> cells, const std::vector<Cell_labels>& labels,
                 std::vector<Simplex> split_simplices = {}) {
     m_points = std::move(points);
     m_cells = std::move(cells);
     m_split_simplices = std::move(split_simplices);
     Status status = check_size(m_points.size(), m_cells.size());
-    if (status.ok()) status = number_facets({});
+    if (status.ok()) status = number_facets<ConcurrencyTag>({});
     if (status.ok())
       for (Facet_index f : boundary_facets()) set_label(f, labels[half_facet(f).cell][half_facet(f).index]);
     else
@@ -161,7 +166,7 @@ public:
 
   /// returns the same facet seen from the other cell, whose index is invalid on the boundary.
   Half_facet opposite(Half_facet h) const {
-    const std::array<std::uint32_t, 2>& sides = m_half_facets[m_cell_facets[h.cell][h.index]];
+    const Half_facets& sides = m_half_facets[m_cell_facets[h.cell][h.index]];
     return unpack(sides[0] == pack(h) ? sides[1] : sides[0]);
   }
 
@@ -205,7 +210,8 @@ public:
 
 private:
   static constexpr std::uint32_t none = std::uint32_t(-1);
-  using Sorted_facet = std::array<std::uint32_t, 4>; // three vertices in increasing order, packed half-facet
+  using Half_facets = std::array<std::uint32_t, 2>;  // both sides of a facet, packed; on the boundary the second is `none`
+  using Sorted_facet = std::array<std::uint32_t, 4>; // three vertices in increasing order, packed half-facet or facet
 
   static std::uint32_t pack(Half_facet h) { return 4 * h.cell + h.index; }
   static Half_facet unpack(std::uint32_t h) {
@@ -254,7 +260,13 @@ private:
     return std::equal(a.begin(), a.begin() + 3, b.begin());
   }
 
-  Sorted_facet sorted_half_facet(std::uint32_t h) const { return sorted(vertices(unpack(h)), h); }
+  // Of facets with the same smallest vertex: the other two, the smaller one first, and the packed half-facet.
+  using Keyed_half_facet = std::pair<std::uint64_t, std::uint32_t>;
+
+  std::uint64_t key(std::uint32_t half_facet) const {
+    const Sorted_facet facet = sorted(vertices(unpack(half_facet)), half_facet);
+    return std::uint64_t(facet[1]) << 32 | facet[2];
+  }
 
   // The other side of each half-facet as the mesh tells it; checked.
   template <typename TetrahedralMesh>
@@ -297,46 +309,76 @@ private:
             }};
   }
 
+  // The facets whose smallest vertices have numbers in a row.
+  struct Facet_block {
+    std::vector<Half_facets> boundary, interior;
+  };
+
   // Boundary facets come first, each kind in the lexicographic order of its vertices. `opposites` is empty if unknown.
+  template <typename ConcurrencyTag>
   Status number_facets(const std::vector<std::uint32_t>& opposites) {
-    const auto lists = half_facets_by_first_vertex(opposites);
-    std::vector<std::array<std::uint32_t, 2>> interior;
-    std::vector<Sorted_facet> list;
-    interior.reserve(2 * number_of_cells());
+    constexpr std::size_t size_of_block = 8192;
+    std::vector<Facet_block> blocks(number_of_vertices() / size_of_block + 1);
+    const Status status = find_facets<ConcurrencyTag>(opposites, size_of_block, blocks);
+    if (!status.ok()) return status;
     m_half_facets.clear();
-    for (Vertex_index first : vertices()) {
-      list.clear();
-      for (std::uint32_t h : lists[first]) list.push_back(sorted_half_facet(h));
-      std::sort(list.begin(), list.end());
-      const Status status = pair_half_facets(list, opposites, interior);
-      if (!status.ok()) return status;
-    }
+    append_to_half_facets(blocks, &Facet_block::boundary);
     m_labels.assign(m_half_facets.size(), INTERIOR);
-    m_half_facets.insert(m_half_facets.end(), interior.begin(), interior.end());
+    append_to_half_facets(blocks, &Facet_block::interior);
     m_cell_facets.resize(m_cells.size());
-    for (Facet_index f : facets())
+    const auto number_sides = [this](std::size_t f) {
       for (std::uint32_t h : m_half_facets[f])
-        if (h != none) m_cell_facets[h / 4][h % 4] = f;
+        if (h != none) m_cell_facets[h / 4][h % 4] = Facet_index(f);
+    };
+    internal::for_each_index<ConcurrencyTag>(m_half_facets.size(), number_sides, size_of_block);
     return {};
   }
 
-  Status pair_half_facets(const std::vector<Sorted_facet>& sorted, const std::vector<std::uint32_t>& opposites,
-                          std::vector<std::array<std::uint32_t, 2>>& interior) {
+  template <typename ConcurrencyTag>
+  Status find_facets(const std::vector<std::uint32_t>& opposites, std::size_t size_of_block, std::vector<Facet_block>& blocks) const {
+    const auto lists = half_facets_by_first_vertex(opposites);
+    const auto fill = [&](std::size_t b) {
+      std::vector<Keyed_half_facet> list;
+      const std::size_t end = (std::min)((b + 1) * size_of_block, number_of_vertices());
+      for (std::size_t first = b * size_of_block; first < end; ++first) {
+        list.clear();
+        for (std::uint32_t h : lists[Vertex_index(first)]) list.push_back({key(h), h});
+        std::sort(list.begin(), list.end());
+        const Status status = pair_half_facets(list, opposites, blocks[b]);
+        if (!status.ok()) return status;
+      }
+      return Status();
+    };
+    return internal::try_each_index<ConcurrencyTag>(blocks.size(), fill, 1);
+  }
+
+  void append_to_half_facets(std::vector<Facet_block>& blocks, std::vector<Half_facets> Facet_block::*part) {
+    std::size_t size = m_half_facets.size();
+    for (const Facet_block& block : blocks) size += (block.*part).size();
+    m_half_facets.reserve(size);
+    for (Facet_block& block : blocks) {
+      m_half_facets.insert(m_half_facets.end(), (block.*part).begin(), (block.*part).end());
+      block.*part = {};
+    }
+  }
+
+  Status pair_half_facets(const std::vector<Keyed_half_facet>& sorted, const std::vector<std::uint32_t>& opposites,
+                          Facet_block& block) const {
     const bool is_paired = !opposites.empty();
     for (std::size_t k = 0, end; k < sorted.size(); k = end) {
-      for (end = k + 1; end < sorted.size() && same_facet(sorted[k], sorted[end]);) ++end;
+      for (end = k + 1; end < sorted.size() && sorted[k].first == sorted[end].first;) ++end;
       if (end - k > (is_paired ? 1 : 2)) return not_manifold(sorted.begin() + std::ptrdiff_t(k), sorted.begin() + std::ptrdiff_t(end));
-      const std::uint32_t h = sorted[k][3], other = is_paired ? opposites[h] : end - k == 2 ? sorted[k + 1][3] : none;
-      (other == none ? m_half_facets : interior).push_back({h, other});
+      const std::uint32_t h = sorted[k].second, other = is_paired ? opposites[h] : end - k == 2 ? sorted[k + 1].second : none;
+      (other == none ? block.boundary : block.interior).push_back({h, other});
     }
     return {};
   }
 
   template <typename Iterator>
   static Status not_manifold(Iterator first, Iterator last) {
-    std::string text = "tetrahedra " + std::to_string((*first)[3] / 4);
+    std::string text = "tetrahedra " + std::to_string(first->second / 4);
     for (Iterator i = std::next(first); i != last; ++i)
-      text += (std::next(i) == last ? " and " : ", ") + std::to_string((*i)[3] / 4);
+      text += (std::next(i) == last ? " and " : ", ") + std::to_string(i->second / 4);
     return {ERROR_NON_MANIFOLD, text + " share a facet" + (last - first == 2 ? ", but are no neighbors" : "")};
   }
 
@@ -363,7 +405,7 @@ private:
   std::vector<Simplex> m_split_simplices;
   std::vector<Cell_vertices> m_cells;
   std::vector<std::array<Facet_index, 4>> m_cell_facets;
-  std::vector<std::array<std::uint32_t, 2>> m_half_facets; // packed, the second `none` on the boundary
+  std::vector<Half_facets> m_half_facets;
   std::vector<int> m_labels;                               // of the boundary facets
 };
 

@@ -15,6 +15,7 @@
 #include <CGAL/Volume_mesh_parameterization/internal/solve_by_conjugate_gradients.h>
 
 #include <CGAL/Eigen_solver_traits.h>
+#include <CGAL/tags.h>
 
 #include <Eigen/IterativeLinearSolvers>
 #include <Eigen/SparseCholesky>
@@ -111,7 +112,7 @@ private:
   static constexpr int most_refinements = 3;
 
   bool iterate(const Vector& right, Vector& solution) {
-    return internal::solve_by_conjugate_gradients(m_matrix, *m_preconditioner, right, tolerance,
+    return internal::solve_by_conjugate_gradients<Sequential_tag>(m_matrix, *m_preconditioner, right, tolerance,
                                                   maximal_number_of_iterations, solution);
   }
 

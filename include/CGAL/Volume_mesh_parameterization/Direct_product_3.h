@@ -81,7 +81,7 @@ public:
   }
 
   /// \name Results
-  /// Pointers are null, and vectors empty, if their stage was not reached or failed.
+  /// Pointers are null if their stage was not reached or failed; all fields are null if one of them failed.
   /// @{
 
   /// The mesh that all the others refer to: the input with the splits of `prepare_patches()`.
@@ -90,7 +90,7 @@ public:
   const Boundary_partition_3& partition() const { return m_partition; }
   /// returns what was split before the sweep.
   const Preparation& preparation() const { return m_preparation; }
-  /// returns the collapse of the solid to a graph, and the words of its edges.
+  /// returns the collapse of the solid to a graph, and the words of the edges of the prepared mesh.
   const Handlebody_certificate& handlebody_certificate() const { return m_certificate; }
   /// returns the function that is 0 on the floor and 1 on the ceiling.
   const Harmonic_function* harmonic_function() const { return pointer(m_harmonic_function); }
@@ -125,15 +125,16 @@ protected:
     using CGAL::parameters::get_parameter;
     const Curve_type type = choose_parameter(get_parameter(np, internal_np::curve_type), CERTIFIED_CURVES);
     const Level_function level = choose_parameter(get_parameter(np, internal_np::level_function), HARMONIC_LEVEL);
+    using Tag = internal::Concurrency_for<ConcurrencyTag, typename GeomTraits::FT>;
     Status status;
     const auto stage = [&](const char* name, const auto& function) {
       if (status.ok()) status = internal::run_stage(visitor, name, function);
     };
-    stage("check the mesh", [&] { return read(mesh); });
-    stage("validate the partition", [&] { return validate_solid(m_mesh, m_partition, m_certificate); });
-    stage("prepare the patches", [&] { return prepare_patches(m_mesh, m_preparation); });
-    stage("solve for the fields, and sweep", [&] { return sweep_cells<ConcurrencyTag>(type); });
-    stage("choose the curves", [&] { return choose_curves<ConcurrencyTag>(type, level); });
+    stage("check the mesh", [&] { return read<Tag>(mesh); });
+    stage("validate the partition", [&] { return validate_partition(m_mesh, m_partition); });
+    stage("prepare the patches", [&] { return prepare_patches<Tag>(m_mesh, m_preparation); });
+    stage("solve for the fields, and sweep", [&] { return sweep_cells<Tag>(type); });
+    stage("choose the curves", [&] { return choose_curves<Tag>(type, level); });
     return status;
   }
 
@@ -143,39 +144,50 @@ protected:
   }
 
 private:
-  template <typename TetrahedralMesh>
+  template <typename ConcurrencyTag, typename TetrahedralMesh>
   Status read(const TetrahedralMesh& mesh) {
-    const Status status = m_mesh.assign(mesh);
-    return status.ok() ? check_tetrahedral_mesh(m_mesh) : status;
+    const Status status = m_mesh.template assign<ConcurrencyTag>(mesh);
+    return status.ok() ? check_tetrahedral_mesh<ConcurrencyTag>(m_mesh) : status;
   }
 
-  template <typename Field, typename Solve>
-  Status make(std::optional<Field>& field, const Solve& solve) {
-    const Status status = solve(field.emplace(m_mesh));
-    if (!status.ok()) field.reset();
+  // Refinement does not change whether the solid is a handlebody.
+  template <typename ConcurrencyTag>
+  Status certify() {
+    if (m_is_certified) return {};
+    Status status = certify_handlebody<ConcurrencyTag>(m_mesh, m_certificate);
+    if (status.ok()) status = validate_fundamental_group(m_mesh, m_certificate);
+    m_is_certified = status.ok();
     return status;
   }
 
-  // Curves that are to be those of the flux itself are worth the smoother flux.
-  Status make_flux(Curve_type type) {
-    return make(m_flux_field, [&](Flux_field& flux) {
-      if (type == FLUX_CURVES) return flux.solve();
-      flux.equilibrate(*m_harmonic_function);
-      return Status();
-    });
-  }
-
+  // Apart from the harmonic function, what needs no field is made at the same time. Curves that are to be those of the flux
+  // itself are worth the smoother flux.
   template <typename ConcurrencyTag>
   Status make_fields(Curve_type type) {
-    using Tag = internal::Concurrency_for<ConcurrencyTag, typename GeomTraits::FT>;
+    m_harmonic_function.emplace(m_mesh);
+    m_flux_field.emplace(m_mesh);
+    m_dual_potential.emplace(m_mesh);
+    const bool is_equilibrated = type != FLUX_CURVES;
+    Status status = internal::try_all<ConcurrencyTag>(
+        [&] { return m_harmonic_function->solve(); }, [&] { return certify<ConcurrencyTag>(); },
+        [&] {
+          if (is_equilibrated) m_flux_field->template prepare_to_equilibrate<ConcurrencyTag>();
+          return Status();
+        });
+    if (!status.ok()) return status;
+    return internal::try_all<ConcurrencyTag>(
+        [&] {
+          if (!is_equilibrated) return m_flux_field->solve();
+          m_flux_field->template equilibrate<ConcurrencyTag>(*m_harmonic_function);
+          return Status();
+        },
+        [&] { return m_dual_potential->template approximate<ConcurrencyTag>(m_harmonic_function->values()); });
+  }
+
+  void forget_fields() {
+    m_harmonic_function.reset();
     m_flux_field.reset();
     m_dual_potential.reset();
-    const Status status = make(m_harmonic_function, [](Harmonic_function& f) { return f.solve(); });
-    if (!status.ok()) return status;
-    return internal::try_each_index<Tag>(2, [&](std::size_t i) {
-      if (i == 1) return make_flux(type);
-      return make(m_dual_potential, [&](Dual_potential& u) { return u.approximate(m_harmonic_function->values()); });
-    }, 1);
   }
 
   // The order is checked by code that shares nothing with the sweep.
@@ -183,7 +195,10 @@ private:
   Status sweep_cells(Curve_type type) {
     const auto guide = [&](const Mesh& mesh, Sweep_guide_3& result) {
       const Status status = make_fields<ConcurrencyTag>(type);
-      if (!status.ok()) return status;
+      if (!status.ok()) {
+        forget_fields();
+        return status;
+      }
       result = Sweep_guide_3(m_dual_potential->values());
       for (Cell_index c : mesh.cells()) result.signs.push_back(m_flux_field->signs(c));
       return status;
@@ -208,6 +223,7 @@ private:
   Mesh m_mesh;
   Boundary_partition_3 m_partition;
   Handlebody_certificate m_certificate;
+  bool m_is_certified = false;
   Preparation m_preparation;
   std::optional<Harmonic_function> m_harmonic_function;
   std::optional<Dual_potential> m_dual_potential;

@@ -15,7 +15,10 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Cell_gradients.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Dirichlet_problem.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Dual_matrix.h>
+#include <CGAL/Volume_mesh_parameterization/internal/for_each_index.h>
 #include <CGAL/Volume_mesh_parameterization/internal/solve_by_conjugate_gradients.h>
+
+#include <CGAL/tags.h>
 
 #include <array>
 #include <cmath>
@@ -66,12 +69,14 @@ public:
   conjugate gradients. What is left of the error varies slowly. So cells that are near each other come in the right order,
   which is what a sweep needs, in a fraction of the time and of the memory of `solve()`.
 
+  \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; the result does not depend on it
   \param values of the function at the vertices, best of a `Harmonic_function_3` of the same mesh
 
   \returns `ERROR_FLAT_TETRAHEDRON`; `ERROR_CANNOT_SOLVE` if coordinates are so large or small that a number overflows
 
   Complexity: linear.
   */
+  template <typename ConcurrencyTag = Sequential_tag>
   Status approximate(const std::vector<double>& values) {
     std::vector<double> volumes;
     const Status status = internal::compute_volumes(*m_mesh, volumes);
@@ -79,7 +84,7 @@ public:
     m_values.assign(m_mesh->number_of_cells() + 2, 0);
     m_values[ceiling_node()] = 1;
     for (Cell_index c : m_mesh->cells()) m_values[c] = mean_over_cell(c, values);
-    correct_values(volumes);
+    correct_values<internal::Concurrency_for<ConcurrencyTag, typename Mesh::FT>>(volumes);
     m_residual = internal::relative_residual(Network{*this, volumes, crossed_facets()}, label_nodes(), m_values);
     m_values.resize(m_mesh->number_of_cells());
     if (!std::isfinite(m_residual)) return {ERROR_CANNOT_SOLVE, "the dual graph has conductances beyond those of a double"};
@@ -103,6 +108,7 @@ private:
   }
 
   // Apart from what calls it, so that the matrix is gone before the residual takes memory.
+  template <typename ConcurrencyTag>
   void correct_values(const std::vector<double>& volumes) {
     constexpr int steps = 40; // as few sweeps stop as along the solution; with 20, some more
     constexpr double tolerance = 1e-10;
@@ -112,7 +118,7 @@ private:
     const auto precondition = [&](const Eigen::VectorXd& y) -> const Eigen::VectorXd& {
       return quotients = y.cwiseQuotient(matrix.diagonal());
     };
-    internal::solve_by_conjugate_gradients(matrix, precondition, matrix.residual(x), tolerance, steps, correction);
+    internal::solve_by_conjugate_gradients<ConcurrencyTag>(matrix, precondition, matrix.residual(x), tolerance, steps, correction);
     x += correction;
   }
 

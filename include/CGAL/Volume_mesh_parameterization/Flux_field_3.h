@@ -18,11 +18,16 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Flux_equilibration.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Gradient_network.h>
 #include <CGAL/Volume_mesh_parameterization/internal/balance_rates.h>
+#include <CGAL/Volume_mesh_parameterization/internal/for_each_index.h>
+
+#include <CGAL/tags.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace CGAL {
@@ -70,23 +75,32 @@ public:
     if (!status.ok()) return status;
     m_residual = problem.residual();
     compute_fluxes(problem.values());
-    finish(volumes);
+    finish<Sequential_tag>(volumes);
     return {};
+  }
+
+  /// makes what `equilibrate()` needs apart from the harmonic function, in linear time. It does so itself if nobody has before.
+  /// \tparam ConcurrencyTag as for `equilibrate()`
+  template <typename ConcurrencyTag = Sequential_tag>
+  void prepare_to_equilibrate() {
+    m_relaxation.emplace(*m_mesh, Tag<ConcurrencyTag>());
   }
 
   /// computes fluxes from the gradient of `harmonic_function`, which jumps across facets: the means of both sides, made
   /// conservative around each vertex (Braess and Schöberl 2008), and smoothed by taking circulations away around each edge
   /// (Hiptmair 1998). No linear system of the size of the mesh is solved: the time is linear. What is left of the roughness
   /// depends on the numbering of the cells; `solve()` does not.
+  /// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; the result does not depend on it
   /// \tparam Harmonic_function `Harmonic_function_3` of the same mesh
   /// \pre `harmonic_function` is solved
-  template <typename Harmonic_function>
+  template <typename ConcurrencyTag = Sequential_tag, typename Harmonic_function>
   void equilibrate(const Harmonic_function& harmonic_function) {
-    const std::vector<double> volumes = internal::volumes(*m_mesh);
     m_residual = harmonic_function.residual();
-    m_fluxes = internal::Flux_equilibration<Mesh>(*m_mesh).fluxes(harmonic_function.values());
-    internal::Circulation_relaxation<Mesh>(*m_mesh, volumes, m_fluxes).run(relaxation_rounds);
-    finish(volumes);
+    m_fluxes = internal::Flux_equilibration<Mesh>(*m_mesh).template fluxes<Tag<ConcurrencyTag>>(harmonic_function.values());
+    if (!m_relaxation) prepare_to_equilibrate<ConcurrencyTag>();
+    m_relaxation->template run<Tag<ConcurrencyTag>>(relaxation_rounds, m_fluxes);
+    m_relaxation.reset();
+    finish<Tag<ConcurrencyTag>>(internal::volumes(*m_mesh));
   }
 
   /// returns the flux through `f` from the cell of `half_facet(f)` to the other one, or outwards on the boundary.
@@ -136,6 +150,10 @@ public:
 private:
   // More rounds bring less than one percent of the volume more where the sweep obeys the flux (`benchmark_fluxes`).
   static constexpr int relaxation_rounds = 6;
+  static constexpr std::size_t size_of_block = 4096; // of parallel loops
+
+  template <typename ConcurrencyTag>
+  using Tag = internal::Concurrency_for<ConcurrencyTag, typename Mesh::FT>;
 
   bool is_wall(Facet_index f) const {
     const int label = m_mesh->label(f);
@@ -166,11 +184,14 @@ private:
     }
   }
 
+  template <typename ConcurrencyTag>
   void finish(const std::vector<double>& volumes) {
     m_largest_divergence = compute_largest_divergence();
-    remove_noise();
+    remove_noise<ConcurrencyTag>();
     remove_dead_ends();
-    compute_rates(volumes);
+    m_rates.resize(m_mesh->number_of_cells());
+    internal::for_each_index<ConcurrencyTag>(
+        m_rates.size(), [&](std::size_t c) { m_rates[c] = compute_rates(Cell_index(c), volumes[c]); }, size_of_block);
   }
 
   double compute_largest_divergence() const {
@@ -184,14 +205,14 @@ private:
     return flux == 0 ? 0 : sum / flux;
   }
 
+  template <typename ConcurrencyTag>
   void remove_noise() {
-    std::vector<double> areas;
-    areas.reserve(m_mesh->number_of_facets());
+    std::vector<double> areas(m_mesh->number_of_facets());
+    internal::for_each_index<ConcurrencyTag>(
+        areas.size(), [&](std::size_t f) { areas[f] = std::sqrt(internal::squared_area(*m_mesh, Facet_index(f))); },
+        size_of_block);
     double largest_density = 0;
-    for (Facet_index f : m_mesh->facets()) {
-      areas.push_back(std::sqrt(internal::squared_area(*m_mesh, f)));
-      largest_density = (std::max)(largest_density, std::abs(m_fluxes[f]) / areas[f]);
-    }
+    for (Facet_index f : m_mesh->facets()) largest_density = (std::max)(largest_density, std::abs(m_fluxes[f]) / areas[f]);
     for (Facet_index f : m_mesh->facets())
       if (std::abs(m_fluxes[f]) <= flux_noise * largest_density * areas[f]) m_fluxes[f] = 0;
   }
@@ -220,15 +241,14 @@ private:
     }
   }
 
-  void compute_rates(const std::vector<double>& volumes) {
-    m_rates.resize(m_mesh->number_of_cells());
-    for (Cell_index c : m_mesh->cells()) {
-      for (int i = 0; i < 4; ++i) m_rates[c][i] = inflow({c, i}) / (3 * volumes[c]);
-      m_rates[c] = internal::balance_rates(m_rates[c]);
-    }
+  std::array<double, 4> compute_rates(Cell_index c, double volume) const {
+    std::array<double, 4> rates;
+    for (int i = 0; i < 4; ++i) rates[i] = inflow({c, i}) / (3 * volume);
+    return internal::balance_rates(rates);
   }
 
   const Mesh* m_mesh;
+  std::optional<internal::Circulation_relaxation<Mesh>> m_relaxation; // until it is used
   std::vector<double> m_fluxes;
   std::vector<std::array<double, 4>> m_rates;
   double m_residual = 0;

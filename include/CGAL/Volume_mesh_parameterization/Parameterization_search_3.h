@@ -81,8 +81,11 @@ public:
   using Linear_map = Piecewise_linear_map_3<GeomTraits>;                              ///< the piecewise linear map
 
   /// \param options steer the search
+  explicit Parameterization_search_3(const Parameterization_search_options& options = {}) : m_options(options) {}
+
+  /// \param options steer the search
   /// \param floor_map is copied for each partition
-  explicit Parameterization_search_3(const Parameterization_search_options& options = {}, FloorMap floor_map = FloorMap())
+  Parameterization_search_3(const Parameterization_search_options& options, FloorMap floor_map)
       : m_options(options), m_floor_map(std::move(floor_map)) {}
 
   /*!

@@ -17,10 +17,12 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Disjoint_sets.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Vertex_stars.h>
 #include <CGAL/Volume_mesh_parameterization/internal/check_coordinates.h>
+#include <CGAL/Volume_mesh_parameterization/internal/for_each_index.h>
 #include <CGAL/Volume_mesh_parameterization/internal/remove_unused_points.h>
 
 #include <CGAL/Kernel_traits.h>
 #include <CGAL/enum.h>
+#include <CGAL/tags.h>
 
 #include <algorithm>
 #include <array>
@@ -181,6 +183,18 @@ std::vector<int> link_euler_numbers(const Compact_tetrahedral_mesh_3<GeomTraits>
   return euler;
 }
 
+template <typename GeomTraits>
+Status check_link_euler_numbers(const Compact_tetrahedral_mesh_3<GeomTraits>& mesh) {
+  const std::vector<char> on_boundary = vertices_on_boundary(mesh);
+  const std::vector<int> euler = link_euler_numbers(mesh);
+  for (Vertex_index v : mesh.vertices())
+    if (euler[v] != (on_boundary[v] ? 1 : 2))
+      return {ERROR_NON_MANIFOLD, "the link of vertex " + std::to_string(v) + " is no " +
+                                      (on_boundary[v] ? "disk" : "sphere") + ": its Euler number is " +
+                                      std::to_string(euler[v])};
+  return {};
+}
+
 } // namespace internal
 
 /*!
@@ -199,15 +213,7 @@ a connected surface has no greater Euler number than that, and taking a pinched 
 template <typename GeomTraits>
 Status check_vertex_links(const Compact_tetrahedral_mesh_3<GeomTraits>& mesh) {
   const Status status = internal::check_links_connected(mesh);
-  if (!status.ok()) return status;
-  const std::vector<char> on_boundary = internal::vertices_on_boundary(mesh);
-  const std::vector<int> euler = internal::link_euler_numbers(mesh);
-  for (Vertex_index v : mesh.vertices())
-    if (euler[v] != (on_boundary[v] ? 1 : 2))
-      return {ERROR_NON_MANIFOLD, "the link of vertex " + std::to_string(v) + " is no " +
-                                      (on_boundary[v] ? "disk" : "sphere") + ": its Euler number is " +
-                                      std::to_string(euler[v])};
-  return {};
+  return status.ok() ? internal::check_link_euler_numbers(mesh) : status;
 }
 
 /*!
@@ -238,18 +244,19 @@ Status check_boundary_connected(const Compact_tetrahedral_mesh_3<GeomTraits>& me
 checks that the mesh is a connected 3-manifold of positive tetrahedra whose boundary is connected, in almost linear time for
 vertices of bounded degree.
 
+\tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`: then the checks are made at the same time
 \tparam GeomTraits a model of `VolumeParameterizationTraits_3`
 
 \returns the error of the first check that fails: `check_orientations()`, `check_connected()`, `check_vertex_links()`,
 `check_boundary_connected()`
 */
-template <typename GeomTraits>
+template <typename ConcurrencyTag = Sequential_tag, typename GeomTraits>
 Status check_tetrahedral_mesh(const Compact_tetrahedral_mesh_3<GeomTraits>& mesh) {
   if (mesh.number_of_cells() == 0) return {ERROR_EMPTY_MESH, "it has no tetrahedra"};
-  Status status = check_orientations(mesh);
-  if (status.ok()) status = check_connected(mesh);
-  if (status.ok()) status = check_vertex_links(mesh);
-  return status.ok() ? check_boundary_connected(mesh) : status;
+  return internal::try_all<ConcurrencyTag>(
+      [&] { return check_orientations(mesh); }, [&] { return check_connected(mesh); },
+      [&] { return internal::check_links_connected(mesh); }, [&] { return internal::check_link_euler_numbers(mesh); },
+      [&] { return check_boundary_connected(mesh); });
 }
 
 } // namespace Volume_mesh_parameterization

@@ -14,6 +14,9 @@
 #include <CGAL/Volume_mesh_parameterization/Error_code.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Disjoint_sets.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Edge_numbering.h>
+#include <CGAL/Volume_mesh_parameterization/internal/for_each_index.h>
+
+#include <CGAL/tags.h>
 
 #include <boost/range/iterator_range.hpp>
 
@@ -30,7 +33,7 @@ namespace CGAL {
 namespace Volume_mesh_parameterization {
 
 namespace internal {
-template <typename GeomTraits>
+template <typename ConcurrencyTag, typename GeomTraits>
 class Handlebody_collapse;
 }
 
@@ -63,7 +66,7 @@ public:
 #endif
 
 private:
-  template <typename GeomTraits>
+  template <typename ConcurrencyTag, typename GeomTraits>
   friend class internal::Handlebody_collapse;
   using Span = std::array<std::uint32_t, 2>;
 
@@ -85,7 +88,7 @@ inline void append_letter(Word& word, int letter) {
 }
 
 // One attempt to collapse a tetrahedral mesh to a graph, and the words of its edges.
-template <typename GeomTraits>
+template <typename ConcurrencyTag, typename GeomTraits>
 class Handlebody_collapse {
 public:
   using Mesh = Compact_tetrahedral_mesh_3<GeomTraits>;
@@ -98,9 +101,12 @@ public:
         m_is_collapsed(m_edges.number_of_edges(), 0),
         m_uses(m_edges.number_of_edges()) {}
 
+  // The edges of cells are needed as long as there are attempts.
   static void number_edges(const Mesh& mesh, Handlebody_certificate& certificate) {
-    certificate.m_edges = Edge_numbering(mesh);
+    certificate.m_edges = Edge_numbering(mesh, ConcurrencyTag());
   }
+
+  static void forget_cells(Handlebody_certificate& certificate) { certificate.m_edges.forget_cells(); }
 
   // Digs through the mesh from the boundary facets `first`, `first + step`, ...
   Status run(std::size_t first, std::size_t step) {
@@ -249,15 +255,15 @@ private:
   }
 
   Status check_facets() const {
-    Word word;
-    for (Facet_index f : m_mesh.facets()) {
-      word.clear();
-      const std::array<Edge_index, 3> loop = loop_from(edges_of(f)[0], f);
+    const auto check = [this](std::size_t f) -> Status {
+      Word word;
+      const std::array<Edge_index, 3> loop = loop_from(edges_of(Facet_index(f))[0], Facet_index(f));
       Vertex_index v = m_edges.ends(loop[0])[0];
       for (Edge_index e : loop) v = append(word, e, v);
-      if (!word.empty()) return {ERROR_NOT_A_HANDLEBODY, "the loop around facet " + std::to_string(f)};
-    }
-    return {};
+      if (word.empty()) return {};
+      return {ERROR_NOT_A_HANDLEBODY, "the loop around facet " + std::to_string(f)};
+    };
+    return try_each_index<ConcurrencyTag>(m_mesh.number_of_facets(), check, 4096);
   }
 
   const Mesh& m_mesh;
@@ -280,19 +286,21 @@ All cells are removed by a breadth-first search from the boundary, then triangle
 one. If a graph remains, the solid is a handlebody, and the steps in reverse give a word for each edge. Each order
 takes linear time.
 
+\tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`
 \tparam GeomTraits a model of `VolumeParameterizationTraits_3`
 
 \returns `ERROR_NOT_A_HANDLEBODY` if every order fails; the detail says how many triangles remained. The solid may be
 a handlebody nevertheless.
 */
-template <typename GeomTraits>
+template <typename ConcurrencyTag = Sequential_tag, typename GeomTraits>
 Status certify_handlebody(const Compact_tetrahedral_mesh_3<GeomTraits>& mesh,
                           Handlebody_certificate& certificate) {
-  using Collapse = internal::Handlebody_collapse<GeomTraits>;
+  using Collapse = internal::Handlebody_collapse<ConcurrencyTag, GeomTraits>;
   Collapse::number_edges(mesh, certificate);
   const std::size_t n = mesh.number_of_boundary_facets();
   Status status = Collapse(mesh, certificate).run(0, 1);
   for (std::size_t k = 0; k < 7 && !status.ok(); ++k) status = Collapse(mesh, certificate).run(k * n / 7, n);
+  Collapse::forget_cells(certificate);
   return status;
 }
 

@@ -12,7 +12,10 @@
 
 #include <CGAL/Volume_mesh_parameterization/Compact_tetrahedral_mesh_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Splittable_mesh.h>
+#include <CGAL/Volume_mesh_parameterization/internal/for_each_index.h>
 #include <CGAL/Volume_mesh_parameterization/internal/geometric_order.h>
+
+#include <CGAL/tags.h>
 
 #include <algorithm>
 #include <array>
@@ -89,7 +92,7 @@ private:
   std::vector<Edge> m_edges; // sorted
 };
 
-template <typename GeomTraits>
+template <typename ConcurrencyTag, typename GeomTraits>
 class Patch_preparation {
 public:
   using Mesh = Compact_tetrahedral_mesh_3<GeomTraits>;
@@ -119,17 +122,24 @@ private:
       const Status status = splittable.insert_barycentre(s);
       if (!status.ok()) return status;
     }
-    return std::move(splittable).write_to(m_mesh);
+    return std::move(splittable).template write_to<ConcurrencyTag>(m_mesh);
   }
 
   template <typename Predicate>
   std::vector<Simplex> edges(Predicate is_wanted) const {
+    constexpr std::size_t cells_per_block = 1 << 16;
+    std::vector<std::vector<Simplex>> found(m_mesh.number_of_cells() / cells_per_block + 1);
+    const auto search = [&](std::size_t block) {
+      const std::size_t end = (std::min)((block + 1) * cells_per_block, m_mesh.number_of_cells());
+      for (std::size_t c = block * cells_per_block; c < end; ++c)
+        for (const auto& e : Mesh::edge_vertices) {
+          const Vertex_index a = m_mesh.cell(c)[e[0]], b = m_mesh.cell(c)[e[1]];
+          if (is_wanted(a, b)) found[block].push_back({std::min(a, b), std::max(a, b)});
+        }
+    };
+    for_each_index<ConcurrencyTag>(found.size(), search, 1);
     std::vector<Simplex> result;
-    for (Cell_index c : m_mesh.cells())
-      for (const auto& e : Mesh::edge_vertices) {
-        const Vertex_index a = m_mesh.vertex(c, e[0]), b = m_mesh.vertex(c, e[1]);
-        if (is_wanted(a, b)) result.push_back({std::min(a, b), std::max(a, b)});
-      }
+    for (std::vector<Simplex>& block : found) result.insert(result.end(), block.begin(), block.end());
     std::sort(result.begin(), result.end());
     result.erase(std::unique(result.begin(), result.end()), result.end());
     return result;
@@ -179,6 +189,7 @@ lying there gets its barycentre inserted, edges first, and so do interior edges 
 cell with all four vertices in one patch does not exist: its facets would all lie in that patch, and the cell would be
 the whole mesh. Labels are kept; points of the boundary are only added, on its edges and facets.
 
+\tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; the result does not depend on it
 \tparam GeomTraits a model of `VolumeParameterizationTraits_3`
 
 \param mesh a mesh with a legal partition
@@ -188,9 +199,9 @@ in part
 
 Complexity: \f$ O(n \log n) \f$.
 */
-template <typename GeomTraits>
+template <typename ConcurrencyTag = Sequential_tag, typename GeomTraits>
 Status prepare_patches(Compact_tetrahedral_mesh_3<GeomTraits>& mesh, Preparation& counts) {
-  return internal::Patch_preparation<GeomTraits>(mesh).run(counts);
+  return internal::Patch_preparation<ConcurrencyTag, GeomTraits>(mesh).run(counts);
 }
 
 } // namespace Volume_mesh_parameterization

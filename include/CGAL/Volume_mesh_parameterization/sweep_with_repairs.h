@@ -72,6 +72,8 @@ public:
   }
 
 private:
+  using Tag = Concurrency_for<ConcurrencyTag, typename GeomTraits::FT>;
+
   // Bounds on the work.
   static constexpr std::size_t most_restarts = 60, most_refinements = 20, most_growth = 4;
   // By how much a cell that was left behind is preferred from then on; the potential runs from 0 to 1.
@@ -81,13 +83,12 @@ private:
   // same time as these.
   Status make_guide(Sweep_guide_3& guide) {
     std::vector<std::uint32_t> ranks;
-    const auto make = [&](std::size_t i) {
-      if (i == 0) return m_make_guide(m_mesh, guide);
-      ranks = geometric_ranks(m_mesh);
-      m_edges = Edge_numbering(m_mesh);
-      return Status();
-    };
-    const Status status = try_each_index<Concurrency_for<ConcurrencyTag, typename GeomTraits::FT>>(2, make, 1);
+    const Status status = try_all<Tag>([&] { return m_make_guide(m_mesh, guide); },
+                                       [&] {
+                                         ranks = geometric_ranks(m_mesh);
+                                         m_edges = Edge_numbering(m_mesh, Tag());
+                                         return Status();
+                                       });
     if (!status.ok()) return status;
     for (double& p : guide.potential) p = std::round(p / rounding_share) * rounding_share;
     guide.ranks = std::move(ranks);

@@ -12,6 +12,7 @@
 
 #include <CGAL/Volume_mesh_parameterization/Compact_tetrahedral_mesh_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Cell_gradients.h>
+#include <CGAL/Volume_mesh_parameterization/internal/for_each_index.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -30,24 +31,36 @@ namespace internal {
 template <typename Mesh>
 class Circulation_relaxation {
 public:
-  // `volumes` are those of the cells, `fluxes` those out of the cell of half_facet(f), for each facet f.
-  Circulation_relaxation(const Mesh& mesh, const std::vector<double>& volumes, std::vector<double>& fluxes)
-      : m_mesh(&mesh), m_volumes(&volumes), m_fluxes(&fluxes) {
-    m_points.reserve(mesh.number_of_vertices());
-    m_vectors.reserve(mesh.number_of_cells());
-    for (const auto& p : mesh.points()) m_points.push_back(approximate(p));
-    for (Cell_index c : mesh.cells()) m_vectors.push_back(vector(c));
-    find_links();
+  // Finds the links of the edges. Blocks are large, so that few links leave them if cells that are near each other have numbers
+  // near each other.
+  template <typename ConcurrencyTag>
+  Circulation_relaxation(const Mesh& mesh, ConcurrencyTag, std::size_t cells_per_block = 1 << 16)
+      : m_mesh(&mesh), m_cells_per_block(cells_per_block), m_blocks(mesh.number_of_cells() / cells_per_block + 1) {
+    for_each_index<ConcurrencyTag>(m_blocks.size(), [this](std::size_t b) { find_links(b); }, 1);
   }
 
-  void run(int rounds) {
+  // Relaxes fluxes, given out of the cell of half_facet(f) for each facet f; may be called once. The result does not depend on the
+  // number of threads.
+  template <typename ConcurrencyTag>
+  void run(int rounds, std::vector<double>& fluxes) {
+    m_points.reserve(m_mesh->number_of_vertices());
+    for (const auto& p : m_mesh->points()) m_points.push_back(approximate(p));
+    m_cells.resize(m_mesh->number_of_cells());
+    const auto set_cell = [&](std::size_t c) { m_cells[c] = cell(Cell_index(c), fluxes); };
+    for_each_index<ConcurrencyTag>(m_cells.size(), set_cell, m_cells_per_block);
     for (int round = 0; round < rounds; ++round)
-      for (std::size_t k = 0; k + 1 < m_first.size(); ++k) relax(k);
+      for_each_link<ConcurrencyTag>([&](const Link& link) { *link.turning_flux += relax(link); });
+    for_each_link<ConcurrencyTag>([&](const Link& link) { add_to_fluxes(link, fluxes); });
   }
 
 private:
   using Vector = Double_kernel::Vector_3;
   using Point = Double_kernel::Point_3;
+
+  struct Cell {
+    Vector vector; // the flux in the cell
+    double weight; // the inverse of three times the volume: a flux of a around an edge is weight * a * d where the link goes by d
+  };
 
   // A cell at an edge, with the part of the link of the edge that lies in it: from one vertex to another.
   struct Link_edge {
@@ -55,26 +68,44 @@ private:
     std::uint8_t from, to;
   };
 
-  Vector vector(Cell_index c) const {
+  // The links that were found from cells with numbers in a row.
+  struct Block {
+    std::vector<Link_edge> edges;       // one link after the other
+    std::vector<std::uint32_t> ends;    // where they end
+    std::vector<char> stay;             // whether they go through no cells of other blocks
+    std::vector<double> turning_fluxes; // around the edges of the mesh whose links they are
+  };
+
+  struct Link {
+    const Link_edge *begin, *end;
+    double* turning_flux;
+  };
+
+  Cell cell(Cell_index c, const std::vector<double>& fluxes) const {
+    const double weight = 1 / (3 * Cell_gradients(*m_mesh, c).volume);
     Vector sum = NULL_VECTOR;
     for (int i = 0; i < 4; ++i) {
       const Facet_index f = m_mesh->facet(c, i);
-      const double outflow = is_first(f, c) ? (*m_fluxes)[f] : -(*m_fluxes)[f];
+      const double outflow = is_first(f, c) ? fluxes[f] : -fluxes[f];
       sum -= outflow * (m_points[m_mesh->vertex(c, i)] - CGAL::ORIGIN);
     }
-    return sum / (3 * (*m_volumes)[c]);
+    return {weight * sum, weight};
   }
 
   bool is_first(Facet_index f, Cell_index c) const { return m_mesh->half_facet(f).cell == c; }
 
-  void find_links() {
-    m_links.reserve(6 * m_mesh->number_of_cells());
-    std::vector<std::uint8_t> found(m_mesh->number_of_cells(), 0); // a bit for each edge of the cell
-    for (Cell_index c : m_mesh->cells())
+  std::size_t block_of(Cell_index c) const { return c / m_cells_per_block; }
+
+  void find_links(std::size_t b) {
+    const std::size_t begin = b * m_cells_per_block, end = (std::min)(begin + m_cells_per_block, m_mesh->number_of_cells());
+    std::vector<std::uint8_t> found(end - begin, 0); // a bit for each edge of the cell
+    m_blocks[b].edges.reserve(6 * found.size());
+    for (std::size_t c = begin; c < end; ++c)
       for (std::uint8_t i = 0; i < 4; ++i)
         for (std::uint8_t j = i + 1; j < 4; ++j)
-          if (!(found[c] & bit({c, i, j}))) add_link({c, i, j}, found);
-    m_links.shrink_to_fit();
+          if (const Link_edge e{Cell_index(c), i, j}; !(found[c - begin] & bit(e))) add_link(e, b, found);
+    m_blocks[b].edges.shrink_to_fit();
+    m_blocks[b].turning_fluxes.assign(m_blocks[b].ends.size(), 0);
   }
 
   static unsigned bit(const Link_edge& e) {
@@ -82,20 +113,27 @@ private:
     return 1u << (i == 0 ? j - 1 : i + j);
   }
 
-  // Adds the link that `e` is a part of: a loop, or a path with both ends on floor or ceiling.
-  void add_link(Link_edge e, std::vector<std::uint8_t>& found) {
+  // Adds the link that `e` is a part of, a loop, or a path with both ends on floor or ceiling, if it goes through no cell of an
+  // earlier block.
+  void add_link(Link_edge e, std::size_t b, std::vector<std::uint8_t>& found) {
+    Block& block = m_blocks[b];
     const Cell_index start = e.cell;
     while (go_back(e) && e.cell != start) continue;
     const Cell_index first = e.cell;
-    const bool is_relaxed = is_passed(e.cell, e.to);
+    const int first_facet = e.to;
+    std::size_t first_block = b, last_block = b;
     do {
-      found[e.cell] |= std::uint8_t(bit(e));
-      m_links.push_back(e);
+      const std::size_t here = block_of(e.cell);
+      if (here == b) found[e.cell - b * m_cells_per_block] |= std::uint8_t(bit(e));
+      first_block = (std::min)(first_block, here);
+      last_block = (std::max)(last_block, here);
+      block.edges.push_back(e);
     } while (go_on(e) && e.cell != first);
-    if (is_relaxed && is_passed(e.cell, e.from))
-      m_first.push_back(m_links.size());
-    else
-      m_links.resize(m_first.back());
+    if (first_block == b && is_passed(first, first_facet) && is_passed(e.cell, e.from)) {
+      block.ends.push_back(std::uint32_t(block.edges.size()));
+      block.stay.push_back(last_block == b);
+    } else
+      block.edges.resize(block.ends.empty() ? 0 : block.ends.back());
   }
 
   bool is_passed(Cell_index c, int facet) const {
@@ -117,41 +155,60 @@ private:
     return true;
   }
 
-  // A flux of a around the edge is a d / (3 V) in a cell of volume V where the link goes by d.
-  void relax(std::size_t link) {
+  Link link(std::size_t b, std::size_t k) {
+    Block& block = m_blocks[b];
+    return {block.edges.data() + (k == 0 ? 0 : block.ends[k - 1]), block.edges.data() + block.ends[k], &block.turning_fluxes[k]};
+  }
+
+  // Calls f(link) for all links: in parallel for those that stay in their blocks, since these share no cell with those of another
+  // block, then for the others. The order is the same for any number of threads.
+  template <typename ConcurrencyTag, typename Function>
+  void for_each_link(const Function& f) {
+    const auto run_block = [&](std::size_t b, char stay) {
+      for (std::size_t k = 0; k < m_blocks[b].ends.size(); ++k)
+        if (m_blocks[b].stay[k] == stay) f(link(b, k));
+    };
+    for_each_index<ConcurrencyTag>(m_blocks.size(), [&](std::size_t b) { run_block(b, 1); }, 1);
+    for (std::size_t b = 0; b < m_blocks.size(); ++b) run_block(b, 0);
+  }
+
+  // Takes the circulation away, and returns the flux around the edge that does so.
+  double relax(const Link& link) {
     double circulation = 0, energy = 0;
-    for (std::size_t k = m_first[link]; k < m_first[link + 1]; ++k) {
-      const Link_edge& e = m_links[k];
-      const Vector d = along(e);
-      circulation += m_vectors[e.cell] * d;
-      energy += d.squared_length() / (*m_volumes)[e.cell];
+    for (const Link_edge* e = link.begin; e != link.end; ++e) {
+      const Cell& cell = m_cells[e->cell];
+      const Vector d = along(*e);
+      circulation += cell.vector * d;
+      energy += cell.weight * d.squared_length();
     }
-    const double flux = -3 * circulation / energy;
-    const Link_edge& first = m_links[m_first[link]];
+    const double flux = -circulation / energy;
+    for (const Link_edge* e = link.begin; e != link.end; ++e) {
+      Cell& cell = m_cells[e->cell];
+      cell.vector += flux * cell.weight * along(*e);
+    }
+    return flux;
+  }
+
+  void add_to_fluxes(const Link& link, std::vector<double>& fluxes) const {
+    const double flux = *link.turning_flux;
+    const auto add_outflow = [&](Cell_index c, int facet, double outflow) {
+      const Facet_index f = m_mesh->facet(c, facet);
+      fluxes[f] += is_first(f, c) ? outflow : -outflow;
+    };
+    const Link_edge& first = *link.begin;
     if (m_mesh->is_boundary(m_mesh->facet(first.cell, first.to))) add_outflow(first.cell, first.to, -flux);
-    for (std::size_t k = m_first[link]; k < m_first[link + 1]; ++k) {
-      const Link_edge& e = m_links[k];
-      m_vectors[e.cell] += flux / (3 * (*m_volumes)[e.cell]) * along(e);
-      add_outflow(e.cell, e.from, flux);
-    }
+    for (const Link_edge* e = link.begin; e != link.end; ++e) add_outflow(e->cell, e->from, flux);
   }
 
   Vector along(const Link_edge& e) const {
     return m_points[m_mesh->vertex(e.cell, e.to)] - m_points[m_mesh->vertex(e.cell, e.from)];
   }
 
-  void add_outflow(Cell_index c, int facet, double flux) {
-    const Facet_index f = m_mesh->facet(c, facet);
-    (*m_fluxes)[f] += is_first(f, c) ? flux : -flux;
-  }
-
   const Mesh* m_mesh;
-  const std::vector<double>* m_volumes;
-  std::vector<double>* m_fluxes;
-  std::vector<Point> m_points;            // of the vertices
-  std::vector<Vector> m_vectors;          // of the cells
-  std::vector<Link_edge> m_links;         // of the edges, one after the other
-  std::vector<std::size_t> m_first = {0}; // where each link starts, and where the last one ends
+  std::size_t m_cells_per_block;
+  std::vector<Point> m_points; // of the vertices
+  std::vector<Cell> m_cells;
+  std::vector<Block> m_blocks;
 };
 
 } // namespace internal

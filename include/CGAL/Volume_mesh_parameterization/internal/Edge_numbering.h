@@ -12,6 +12,9 @@
 
 #include <CGAL/Volume_mesh_parameterization/indices.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Incidence_lists.h>
+#include <CGAL/Volume_mesh_parameterization/internal/for_each_index.h>
+
+#include <CGAL/tags.h>
 
 #include <boost/range/irange.hpp>
 #include <boost/range/adaptor/transformed.hpp>
@@ -35,22 +38,18 @@ public:
 
   Edge_numbering() = default;
 
-  template <typename Mesh>
-  explicit Edge_numbering(const Mesh& mesh) : m_cell_edges(mesh.number_of_cells()) {
-    const auto other_end = [&](std::uint32_t use) {
-      return sorted_ends<Mesh>(mesh.cell(use / 6), use % 6)[1];
-    };
-    const Incidence_lists<Vertex_index, std::uint32_t> uses(
-        mesh.number_of_vertices(), 6 * m_cell_edges.size(), [&](std::uint32_t use) {
-          return std::array<Vertex_index, 1>{sorted_ends<Mesh>(mesh.cell(use / 6), use % 6)[0]};
-        });
-    std::vector<Edge_index> edge_to(mesh.number_of_vertices());
-    m_first.reserve(mesh.number_of_vertices() + 1);
-    for (Vertex_index v(0); v < mesh.number_of_vertices(); ++v) {
-      m_first.push_back(Edge_index(m_ends.size()));
-      number_edges_from(v, uses[v], other_end, edge_to);
-    }
-    m_first.push_back(Edge_index(m_ends.size()));
+  // The numbers do not depend on the number of threads.
+  template <typename Mesh, typename ConcurrencyTag = Sequential_tag>
+  explicit Edge_numbering(const Mesh& mesh, ConcurrencyTag = {}) : m_cell_edges(mesh.number_of_cells()) {
+    const std::size_t n = mesh.number_of_vertices(), number_of_blocks = n / vertices_per_block + 1;
+    const auto other_end = [&](std::uint32_t use) { return sorted_ends<Mesh>(mesh.cell(use / 6), use % 6)[1]; };
+    const Uses uses(n, 6 * m_cell_edges.size(), [&](std::uint32_t use) {
+      return std::array<Vertex_index, 1>{sorted_ends<Mesh>(mesh.cell(use / 6), use % 6)[0]};
+    });
+    std::vector<std::vector<Ends>> ends(number_of_blocks);
+    for_each_index<ConcurrencyTag>(number_of_blocks, [&](std::size_t b) { ends[b] = find_ends(b, uses, other_end); }, 1);
+    join(n, ends);
+    for_each_index<ConcurrencyTag>(number_of_blocks, [&](std::size_t b) { number_edges_of_cells(b, uses, other_end); }, 1);
   }
 
   std::size_t number_of_cells() const { return m_cell_edges.size(); }
@@ -65,6 +64,9 @@ public:
   Edge_index edge(Cell_index c, int k) const { return m_cell_edges[c][k]; }
   const Cell_edges& edges(Cell_index c) const { return m_cell_edges[c]; }
 
+  // Leaves the ends of the edges only, a third of the memory.
+  void forget_cells() { m_cell_edges = {}; }
+
   // returns the two ends, the smaller number first.
   const Ends& ends(Edge_index e) const { return m_ends[e]; }
 
@@ -77,21 +79,48 @@ public:
   }
 
 private:
-  // `edge_to` is invalid everywhere, before and after.
-  template <typename Uses, typename OtherEnd>
-  void number_edges_from(Vertex_index v, const Uses& uses, const OtherEnd& other_end,
-                         std::vector<Edge_index>& edge_to) {
-    const std::size_t first = m_ends.size();
-    for (std::uint32_t use : uses) {
-      const Vertex_index w = other_end(use);
-      if (edge_to[w].is_valid()) continue;
-      edge_to[w] = Edge_index(0);
-      m_ends.push_back({v, w});
-    }
-    std::sort(m_ends.begin() + first, m_ends.end());
-    for (std::size_t e = first; e < m_ends.size(); ++e) edge_to[m_ends[e][1]] = Edge_index(e);
-    for (std::uint32_t use : uses) m_cell_edges[use / 6][use % 6] = edge_to[other_end(use)];
-    for (std::size_t e = first; e < m_ends.size(); ++e) edge_to[m_ends[e][1]] = Edge_index();
+  static constexpr std::size_t vertices_per_block = 8192;
+  using Uses = Incidence_lists<Vertex_index, std::uint32_t>; // six for each cell: of edges, by their smaller ends
+
+  // calls f(v) for the vertices of a block
+  template <typename Function>
+  static void for_each_vertex(std::size_t block, const Uses& uses, const Function& f) {
+    const std::size_t end = (std::min)((block + 1) * vertices_per_block, uses.size());
+    for (std::size_t v = block * vertices_per_block; v < end; ++v) f(Vertex_index(v));
+  }
+
+  // The edges whose smaller ends are in a block, in order.
+  template <typename OtherEnd>
+  static std::vector<Ends> find_ends(std::size_t block, const Uses& uses, const OtherEnd& other_end) {
+    std::vector<Ends> result;
+    std::vector<Vertex_index> found_for(uses.size());
+    for_each_vertex(block, uses, [&](Vertex_index v) {
+      const std::size_t first = result.size();
+      for (std::uint32_t use : uses[v])
+        if (const Vertex_index w = other_end(use); std::exchange(found_for[w], v) != v) result.push_back({v, w});
+      std::sort(result.begin() + first, result.end());
+    });
+    return result;
+  }
+
+  void join(std::size_t number_of_vertices, const std::vector<std::vector<Ends>>& blocks) {
+    std::size_t size = 0;
+    for (const std::vector<Ends>& block : blocks) size += block.size();
+    m_ends.reserve(size);
+    for (const std::vector<Ends>& block : blocks) m_ends.insert(m_ends.end(), block.begin(), block.end());
+    m_first.reserve(number_of_vertices + 1);
+    for (std::size_t e = 0; e < size; ++e)
+      while (m_first.size() <= m_ends[e][0]) m_first.push_back(Edge_index(e));
+    m_first.resize(number_of_vertices + 1, Edge_index(size));
+  }
+
+  template <typename OtherEnd>
+  void number_edges_of_cells(std::size_t block, const Uses& uses, const OtherEnd& other_end) {
+    std::vector<Edge_index> edge_to(uses.size());
+    for_each_vertex(block, uses, [&](Vertex_index v) {
+      for (std::size_t e = m_first[v]; e < m_first[v + 1]; ++e) edge_to[m_ends[e][1]] = Edge_index(e);
+      for (std::uint32_t use : uses[v]) m_cell_edges[use / 6][use % 6] = edge_to[other_end(use)];
+    });
   }
 
   template <typename Mesh, typename Cell>

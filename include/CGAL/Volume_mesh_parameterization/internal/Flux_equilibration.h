@@ -13,7 +13,9 @@
 #include <CGAL/Volume_mesh_parameterization/Compact_tetrahedral_mesh_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Cell_gradients.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Vertex_stars.h>
+#include <CGAL/Volume_mesh_parameterization/internal/for_each_index.h>
 
+#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -30,13 +32,14 @@ template <typename Mesh>
 class Flux_equilibration {
 public:
   explicit Flux_equilibration(const Mesh& mesh)
-      : m_mesh(&mesh), m_stars(mesh), m_excess(mesh.number_of_facets(), 0), m_rest(mesh.number_of_cells()),
+      : m_mesh(&mesh), m_stars(mesh), m_excess(mesh.number_of_facets()), m_rest(mesh.number_of_cells()),
         m_is_left(mesh.number_of_cells(), 0) {}
 
   // returns the fluxes out of the cell of half_facet(f), for each facet; `values` are those of u at the vertices.
+  template <typename ConcurrencyTag>
   std::vector<double> fluxes(const std::vector<double>& values) {
-    std::vector<double> result(m_mesh->number_of_facets(), 0);
-    for (Cell_index c : m_mesh->cells()) add_means(c, values, result);
+    std::vector<double> result(m_mesh->number_of_facets());
+    set_means<ConcurrencyTag>(values, result);
     for (Vertex_index v : m_mesh->vertices()) equilibrate(v, result);
     return result;
   }
@@ -48,17 +51,31 @@ private:
 
   // The flux through a facet is the mean of both sides; at each of its corners a third of the difference is too much in one
   // cell and missing in the other, so both have half of the jump too much.
-  void add_means(Cell_index c, const std::vector<double>& values, std::vector<double>& fluxes) {
+  template <typename ConcurrencyTag>
+  void set_means(const std::vector<double>& values, std::vector<double>& fluxes) {
+    constexpr std::size_t block = 4096;
+    std::vector<std::array<double, 4>> outflows(m_mesh->number_of_cells());
+    for_each_index<ConcurrencyTag>(
+        outflows.size(), [&](std::size_t c) { outflows[c] = outflows_at_corners(Cell_index(c), values); }, block);
+    const auto outflow = [&](Half_facet h) { return outflows[h.cell][h.index]; };
+    const auto set_mean = [&](std::size_t i) {
+      const Facet_index f(i);
+      const double first = outflow(m_mesh->half_facet(f));
+      const double second = m_mesh->is_boundary(f) ? 0 : outflow(m_mesh->half_facet(f, 1));
+      m_excess[f] = m_mesh->is_boundary(f) ? (is_wall(f) ? first : 0) : (first + second) / 2;
+      fluxes[f] = m_mesh->is_boundary(f) ? (is_wall(f) ? 0 : 3 * first) : 3 * (first - second) / 2;
+    };
+    for_each_index<ConcurrencyTag>(fluxes.size(), set_mean, block);
+  }
+
+  // A third of what the gradient brings out of the cell through each facet.
+  std::array<double, 4> outflows_at_corners(Cell_index c, const std::vector<double>& values) const {
     const Cell_gradients cell(*m_mesh, c);
     const auto& v = m_mesh->cell(c);
     const auto gradient = cell.interpolate({values[v[0]], values[v[1]], values[v[2]], values[v[3]]});
-    for (int i = 0; i < 4; ++i) {
-      const Facet_index f = m_mesh->facet(c, i);
-      const double outflow_at_corner = -cell.volume * (cell.gradients[i] * gradient);
-      const double share = m_mesh->is_boundary(f) ? 1 : 0.5;
-      if (is_wall(f) || !m_mesh->is_boundary(f)) m_excess[f] += share * outflow_at_corner;
-      if (!is_wall(f)) fluxes[f] += (m_mesh->half_facet(f).cell == c ? 3 : -3) * share * outflow_at_corner;
-    }
+    std::array<double, 4> result;
+    for (int i = 0; i < 4; ++i) result[i] = -cell.volume * (cell.gradients[i] * gradient);
+    return result;
   }
 
   // Cells far from the root of the tree give what is too much to their parents; the root gives it to floor or ceiling, if

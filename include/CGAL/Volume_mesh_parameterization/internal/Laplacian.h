@@ -98,18 +98,22 @@ private:
     }
   }
 
-  // Sorts the entries of each row, adds those in the same column, and closes the gaps.
+  // Adds the entries of each row in the same column, closes the gaps, and sorts what is left.
   void sort_rows() {
     const auto before = [](const Entry& a, const Entry& b) { return a.column < b.column; };
+    std::vector<std::size_t> place(m_diagonal.size(), 0); // of the last entry in a column
     std::size_t begin = 0, size = 0;
     for (std::size_t i = 0; i < m_diagonal.size(); ++i) {
       const std::size_t end = m_end[i], first = size;
-      std::stable_sort(m_lower.begin() + begin, m_lower.begin() + end, before);
-      for (std::size_t k = begin; k < end; ++k)
-        if (size > first && m_lower[size - 1].column == m_lower[k].column)
-          m_lower[size - 1].value += m_lower[k].value;
+      for (std::size_t k = begin; k < end; ++k) {
+        const Entry entry = m_lower[k];
+        std::size_t& p = place[entry.column];
+        if (p >= first && p < size && m_lower[p].column == entry.column)
+          m_lower[p].value += entry.value;
         else
-          m_lower[size++] = m_lower[k];
+          m_lower[p = size++] = entry;
+      }
+      std::sort(m_lower.begin() + first, m_lower.begin() + size, before);
       m_end[i] = size;
       begin = end;
     }

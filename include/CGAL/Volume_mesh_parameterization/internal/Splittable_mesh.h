@@ -66,8 +66,9 @@ public:
     }
   }
 
+  template <typename ConcurrencyTag = Sequential_tag>
   Status write_to(Mesh& mesh) && {
-    return mesh.assign(std::move(m_points), std::move(m_cells), m_labels, std::move(m_split_simplices));
+    return mesh.template assign<ConcurrencyTag>(std::move(m_points), std::move(m_cells), m_labels, std::move(m_split_simplices));
   }
 
   const Point_3& point(Vertex_index v) const { return m_points[v]; }
