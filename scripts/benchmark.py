@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """Measures the stages of the package, and other programs on the same solids and seeds; scripts/benchmark.sh runs it.
 
-usage: benchmark.py PROGRAMS SURFACES FOLDER small | full
+usage: benchmark.py PROGRAMS SURFACES FOLDER small | full [REPETITIONS]
 
 PROGRAMS is the folder of handlebody, benchmark_stages and benchmark_solvers, SURFACES that of CGAL's meshes. Solids, which
 are kept for the next time, and benchmark.json are written into FOLDER; tables are printed.
@@ -42,10 +42,13 @@ def main(arguments):
     if "--help" in arguments or "-h" in arguments:
         print(__doc__.strip())
         return 0
-    if len(arguments) != 4 or arguments[3] not in SIZES:
+    if len(arguments) not in (4, 5) or arguments[3] not in SIZES:
         print(__doc__.strip(), file=sys.stderr)
         return 2
-    bench = Benchmark(*map(pathlib.Path, arguments[:3]), SIZES[arguments[3]])
+    size = SIZES[arguments[3]]
+    if len(arguments) == 5:
+        size.repetitions = int(arguments[4])
+    bench = Benchmark(*map(pathlib.Path, arguments[:3]), size)
     result = bench.run()
     result["growth"] = {model: growth(of_model(result, model)) for model in MODELS}
     result["acceptance"] = acceptance(result)
