@@ -249,6 +249,20 @@ void test_relaxation(std::size_t cells_per_block) {
   assert(error < 1e-4 * largest && before > 1e-2 * largest);
 }
 
+// Preparing changes nothing, and works for one time: afterwards equilibrate() does it by itself.
+void test_preparation() {
+  const Mesh mesh = mesh_of(wedge(1));
+  VMP::Harmonic_function_3<Mesh> f(mesh);
+  assert(f.solve().ok());
+  const Field expected = equilibrated(mesh);
+  Field field(mesh);
+  field.prepare_to_equilibrate();
+  for (int k = 0; k < 2; ++k) {
+    field.equilibrate(f);
+    for (VMP::Facet_index facet : mesh.facets()) assert(field.flux(facet) == expected.flux(facet));
+  }
+}
+
 void test_exact_kernel() {
   using Exact_kernel = CGAL::Exact_predicates_exact_constructions_kernel;
   using Exact_mesh = VMP::Compact_tetrahedral_mesh_3<Exact_kernel>;
@@ -315,6 +329,7 @@ int main() {
   test_solvers_agree();
   test_methods_agree();
   for (std::size_t cells_per_block : {1, 20, 1000}) test_relaxation(cells_per_block);
+  test_preparation();
   test_exact_kernel();
   test_balance_rates();
   test_refusals();

@@ -13,7 +13,7 @@
 #include <CGAL/Volume_mesh_parameterization/Error_code.h>
 #include <CGAL/Volume_mesh_parameterization/Tetrahedron_soup_3.h>
 #include <CGAL/Volume_mesh_parameterization/indices.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Incidence_lists.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Facet_numbering.h>
 #include <CGAL/Volume_mesh_parameterization/internal/for_each_index.h>
 
 #include <CGAL/Simple_cartesian.h>
@@ -26,7 +26,6 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <iterator>
 #include <limits>
 #include <string>
 #include <utility>
@@ -209,9 +208,9 @@ public:
   /// @}
 
 private:
-  static constexpr std::uint32_t none = std::uint32_t(-1);
+  static constexpr std::uint32_t none = internal::Facet_numbering::none;
   using Half_facets = std::array<std::uint32_t, 2>;  // both sides of a facet, packed; on the boundary the second is `none`
-  using Sorted_facet = std::array<std::uint32_t, 4>; // three vertices in increasing order, packed half-facet or facet
+  using Sorted_facet = std::array<std::uint32_t, 4>; // three vertices in increasing order, and the facet
 
   static std::uint32_t pack(Half_facet h) { return 4 * h.cell + h.index; }
   static Half_facet unpack(std::uint32_t h) {
@@ -251,21 +250,13 @@ private:
     return {};
   }
 
-  static Sorted_facet sorted(std::array<Vertex_index, 3> v, std::uint32_t half_facet) {
+  static Sorted_facet sorted(std::array<Vertex_index, 3> v, std::uint32_t facet) {
     std::sort(v.begin(), v.end());
-    return {v[0], v[1], v[2], half_facet};
+    return {v[0], v[1], v[2], facet};
   }
 
   static bool same_facet(const Sorted_facet& a, const Sorted_facet& b) {
     return std::equal(a.begin(), a.begin() + 3, b.begin());
-  }
-
-  // Of facets with the same smallest vertex: the other two, the smaller one first, and the packed half-facet.
-  using Keyed_half_facet = std::pair<std::uint64_t, std::uint32_t>;
-
-  std::uint64_t key(std::uint32_t half_facet) const {
-    const Sorted_facet facet = sorted(vertices(unpack(half_facet)), half_facet);
-    return std::uint64_t(facet[1]) << 32 | facet[2];
   }
 
   // The other side of each half-facet as the mesh tells it; checked.
@@ -297,89 +288,20 @@ private:
     return number_of_others == 1 ? result : pack(h);
   }
 
-  // The facets with a smallest vertex of each number: so a few short lists are sorted instead of a long one. If opposites are
-  // known, one side of each is enough; the other sides follow in a list of their own.
-  internal::Incidence_lists<Vertex_index, std::uint32_t>
-  half_facets_by_first_vertex(const std::vector<std::uint32_t>& opposites) const {
-    return {number_of_vertices() + 1, 4 * number_of_cells(), [&](std::uint32_t h) {
-              const auto v = vertices(unpack(h));
-              const bool is_other_side = !opposites.empty() && opposites[h] < h;
-              return std::array<Vertex_index, 1>{is_other_side ? Vertex_index(number_of_vertices())
-                                                               : (std::min)({v[0], v[1], v[2]})};
-            }};
-  }
-
-  // The facets whose smallest vertices have numbers in a row.
-  struct Facet_block {
-    std::vector<Half_facets> boundary, interior;
-  };
-
-  // Boundary facets come first, each kind in the lexicographic order of its vertices. `opposites` is empty if unknown.
+  // `opposites` is empty if unknown.
   template <typename ConcurrencyTag>
   Status number_facets(const std::vector<std::uint32_t>& opposites) {
-    constexpr std::size_t size_of_block = 8192;
-    std::vector<Facet_block> blocks(number_of_vertices() / size_of_block + 1);
-    const Status status = find_facets<ConcurrencyTag>(opposites, size_of_block, blocks);
-    if (!status.ok()) return status;
-    m_half_facets.clear();
-    append_to_half_facets(blocks, &Facet_block::boundary);
-    m_labels.assign(m_half_facets.size(), INTERIOR);
-    append_to_half_facets(blocks, &Facet_block::interior);
+    internal::Facet_numbering numbering(m_cells, number_of_vertices(), opposites, ConcurrencyTag());
+    if (!numbering.status().ok()) return numbering.status();
+    m_labels.assign(numbering.number_of_boundary_facets(), INTERIOR);
+    m_half_facets = std::move(numbering).take_sides();
     m_cell_facets.resize(m_cells.size());
     const auto number_sides = [this](std::size_t f) {
       for (std::uint32_t h : m_half_facets[f])
         if (h != none) m_cell_facets[h / 4][h % 4] = Facet_index(f);
     };
-    internal::for_each_index<ConcurrencyTag>(m_half_facets.size(), number_sides, size_of_block);
+    internal::for_each_index<ConcurrencyTag>(m_half_facets.size(), number_sides, 8192);
     return {};
-  }
-
-  template <typename ConcurrencyTag>
-  Status find_facets(const std::vector<std::uint32_t>& opposites, std::size_t size_of_block, std::vector<Facet_block>& blocks) const {
-    const auto lists = half_facets_by_first_vertex(opposites);
-    const auto fill = [&](std::size_t b) {
-      std::vector<Keyed_half_facet> list;
-      const std::size_t end = (std::min)((b + 1) * size_of_block, number_of_vertices());
-      for (std::size_t first = b * size_of_block; first < end; ++first) {
-        list.clear();
-        for (std::uint32_t h : lists[Vertex_index(first)]) list.push_back({key(h), h});
-        std::sort(list.begin(), list.end());
-        const Status status = pair_half_facets(list, opposites, blocks[b]);
-        if (!status.ok()) return status;
-      }
-      return Status();
-    };
-    return internal::try_each_index<ConcurrencyTag>(blocks.size(), fill, 1);
-  }
-
-  void append_to_half_facets(std::vector<Facet_block>& blocks, std::vector<Half_facets> Facet_block::*part) {
-    std::size_t size = m_half_facets.size();
-    for (const Facet_block& block : blocks) size += (block.*part).size();
-    m_half_facets.reserve(size);
-    for (Facet_block& block : blocks) {
-      m_half_facets.insert(m_half_facets.end(), (block.*part).begin(), (block.*part).end());
-      block.*part = {};
-    }
-  }
-
-  Status pair_half_facets(const std::vector<Keyed_half_facet>& sorted, const std::vector<std::uint32_t>& opposites,
-                          Facet_block& block) const {
-    const bool is_paired = !opposites.empty();
-    for (std::size_t k = 0, end; k < sorted.size(); k = end) {
-      for (end = k + 1; end < sorted.size() && sorted[k].first == sorted[end].first;) ++end;
-      if (end - k > (is_paired ? 1 : 2)) return not_manifold(sorted.begin() + std::ptrdiff_t(k), sorted.begin() + std::ptrdiff_t(end));
-      const std::uint32_t h = sorted[k].second, other = is_paired ? opposites[h] : end - k == 2 ? sorted[k + 1].second : none;
-      (other == none ? block.boundary : block.interior).push_back({h, other});
-    }
-    return {};
-  }
-
-  template <typename Iterator>
-  static Status not_manifold(Iterator first, Iterator last) {
-    std::string text = "tetrahedra " + std::to_string(first->second / 4);
-    for (Iterator i = std::next(first); i != last; ++i)
-      text += (std::next(i) == last ? " and " : ", ") + std::to_string(i->second / 4);
-    return {ERROR_NON_MANIFOLD, text + " share a facet" + (last - first == 2 ? ", but are no neighbors" : "")};
   }
 
   template <typename Range>
