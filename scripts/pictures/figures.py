@@ -11,7 +11,8 @@ from .scene import (HEIGHT_COLORS, QUALITY_COLORS, WIDTH, CutView, Picture, View
 
 LEVELS = np.arange(1, 12) / 12
 HISTOGRAM_HEIGHT = 450
-SHELL_THICKNESS, SHELL_OPACITY, HAZE = 0.012, 0.20, 0.004  # in f; of one slice of the volume
+VOLUME_LEVELS = np.arange(1, 6) / 6
+SHELL_THICKNESS, SHELL_OPACITY, HAZE = 0.02, 0.12, 0.002  # in f; of one slice of the volume
 CURVE_COLORS = [(0.10, 0.22, 0.62), (0.05, 0.52, 0.66), (0.16, 0.58, 0.25), (0.88, 0.66, 0.10), (0.83, 0.25, 0.16),
                 (0.55, 0.16, 0.52)]
 
@@ -60,7 +61,7 @@ def draw_isosurfaces(result):
 
 
 def draw_volume(result):
-    view = main_view(result.mesh.points)
+    view = level_view(result.mesh)
     picture = Picture()
     picture.add_panel(view, [stack_slices(result.mesh.grid("f"), view)], in_order=True)
     picture.add_scalar_bar(color_map(HEIGHT_COLORS), "f")
@@ -142,15 +143,24 @@ def gradients_of_f(mesh):
     return rises[good] / volumes[good, None], volumes[good]
 
 
-def cut_view(mesh):
-    """faces a long section along the gradients of f, which shows its layers side by side"""
+def section_axes(mesh):
+    """returns the normal of a long section along the gradients of f, and its axes"""
     axes = principal_axes(mesh.points)
     spread = (mesh.points @ axes.T).std(axis=0)
     gradients, volumes = gradients_of_f(mesh)
     across = volumes @ (gradients @ axes.T) ** 2
     normal = int(np.argmax((1 - across / across.sum()) / spread))
-    right, up = (axes[i] for i in range(3) if i != normal)
-    return CutView(mesh.points, axes[normal], right, up)
+    return [axes[normal], *(axes[i] for i in range(3) if i != normal)]
+
+
+def cut_view(mesh):
+    """faces that section, which shows the layers of f side by side"""
+    return CutView(mesh.points, *section_axes(mesh))
+
+
+def level_view(mesh):
+    """looks nearly along the level surfaces of f"""
+    return View(mesh.points, *section_axes(mesh), tilt=(0.3, 1.1))
 
 
 def outer_surface(grid):
@@ -183,7 +193,7 @@ def shells_table(entries=1024):
     table.SetNumberOfTableValues(entries)
     table.SetTableRange(0, 1)
     f = np.linspace(0, 1, entries)
-    nearness = np.clip(1 - np.abs(f[:, None] - LEVELS).min(axis=1) / SHELL_THICKNESS, 0, 1)
+    nearness = np.clip(1 - np.abs(f[:, None] - VOLUME_LEVELS).min(axis=1) / SHELL_THICKNESS, 0, 1)
     opacity = HAZE + (SHELL_OPACITY - HAZE) * nearness
     for i, color in enumerate(interpolate_colors(HEIGHT_COLORS, f)):
         table.SetTableValue(i, *color, opacity[i])
