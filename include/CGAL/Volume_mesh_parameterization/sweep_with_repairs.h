@@ -111,13 +111,13 @@ private:
   std::vector<Cell_index> from_floor(const std::vector<Cell_index>& beginning, const Sweep_guide_3& guide) const {
     Sweep<GeomTraits> sweep(m_mesh, m_edges, FLOOR);
     for (Cell_index c : beginning) sweep.sweep(c);
-    sweep.run(guide);
+    sweep.template run<Tag>(guide);
     return sweep.order();
   }
 
   bool from_ceiling(const Sweep_guide_3& guide, std::vector<Cell_index>& order) {
     Sweep<GeomTraits> sweep(m_mesh, m_edges, CEILING);
-    sweep.run(guide);
+    sweep.template run<Tag>(guide);
     m_report.from_ceiling = sweep.is_complete();
     if (m_report.from_ceiling) order.assign(sweep.order().rbegin(), sweep.order().rend());
     return m_report.from_ceiling;
@@ -130,9 +130,9 @@ private:
     while (m_report.restarts < most_restarts) {
       ++m_report.restarts;
       Sweep<GeomTraits> up(m_mesh, m_edges, FLOOR), down(m_mesh, m_edges, CEILING);
-      up.run(guide);
+      up.template run<Tag>(guide);
       for (Cell_index c : up.order()) down.exclude(c);
-      down.run(guide);
+      down.template run<Tag>(guide);
       if (up.order().size() + down.order().size() == m_mesh.number_of_cells()) {
         order = up.order();
         order.insert(order.end(), down.order().rbegin(), down.order().rend());

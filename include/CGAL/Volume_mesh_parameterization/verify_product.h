@@ -64,8 +64,9 @@ class Sweep_verifier {
   using Marks = std::vector<char>;
 
 public:
-  explicit Sweep_verifier(const Mesh& mesh) : m_mesh(mesh) {
-    number_edges();
+  template <typename ConcurrencyTag>
+  Sweep_verifier(const Mesh& mesh, ConcurrencyTag) : m_mesh(mesh) {
+    number_edges<ConcurrencyTag>();
     m_on_wall.assign(number_of_faces(), 0);
     for (Facet_index f : mesh.boundary_facets())
       if (mesh.label(f) >= FIRST_WALL) mark_facet(f, m_on_wall);
@@ -141,9 +142,10 @@ private:
   }
 
   // Linear for vertices of bounded degree: a counting sort by the lower end, then each small bucket by the upper one.
+  template <typename ConcurrencyTag>
   void number_edges() {
     std::vector<std::size_t> bucket(m_mesh.number_of_vertices() + 1, 0);
-    const std::vector<Occurrence> occurrences = sort_into_buckets(bucket);
+    const std::vector<Occurrence> occurrences = sort_into_buckets<ConcurrencyTag>(bucket);
     m_cell_edges.resize(m_mesh.number_of_cells());
     for (Vertex_index v : m_mesh.vertices())
       for (std::size_t k = bucket[v]; k < bucket[v + 1]; ++k) {
@@ -153,6 +155,7 @@ private:
       }
   }
 
+  template <typename ConcurrencyTag>
   std::vector<Occurrence> sort_into_buckets(std::vector<std::size_t>& bucket) const {
     for (Cell_index c : m_mesh.cells())
       for (int e = 0; e < 6; ++e) ++bucket[edge(c, e).first + 1];
@@ -164,9 +167,11 @@ private:
         const auto ends = edge(c, e);
         occurrences[next[ends.first]++] = {ends.second, c, std::uint32_t(e)};
       }
-    for (Vertex_index v : m_mesh.vertices())
+    const auto sort_bucket = [&](std::size_t v) {
       std::sort(occurrences.begin() + bucket[v], occurrences.begin() + bucket[v + 1],
                 [](const Occurrence& a, const Occurrence& b) { return a.upper_end < b.upper_end; });
+    };
+    for_each_index<ConcurrencyTag>(m_mesh.number_of_vertices(), sort_bucket, 4096);
     return occurrences;
   }
 
@@ -231,7 +236,7 @@ Status verify_product(const Compact_tetrahedral_mesh_3<GeomTraits>& mesh,
                       const std::vector<Cell_index>& order) {
   Status status = internal::verify_permutation(order, mesh.number_of_cells());
   if (!status.ok()) return status;
-  const internal::Sweep_verifier<GeomTraits> verifier(mesh);
+  const internal::Sweep_verifier<GeomTraits> verifier(mesh, ConcurrencyTag());
   const auto verify = [&](std::size_t i) {
     return i == 0 ? verifier.verify(order.begin(), order.end(), FLOOR)
                   : verifier.verify(order.rbegin(), order.rend(), CEILING);

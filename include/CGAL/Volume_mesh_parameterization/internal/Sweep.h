@@ -14,6 +14,9 @@
 #include <CGAL/Volume_mesh_parameterization/Sweep_guide_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Edge_numbering.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Index_queue.h>
+#include <CGAL/Volume_mesh_parameterization/internal/sort_in_parallel.h>
+
+#include <CGAL/tags.h>
 
 #include <algorithm>
 #include <array>
@@ -61,8 +64,9 @@ public:
 
   // Sweeps whatever can be swept: first cells that are entered and left as they wish, and among those the one of least
   // potential. A cell is queued again whenever something around it changes; what is out of date is skipped.
+  template <typename ConcurrencyTag = Sequential_tag>
   void run(const Sweep_guide_3& guide) {
-    const std::vector<Cell_index> cells = sorted_cells(guide);
+    const std::vector<Cell_index> cells = sorted_cells<ConcurrencyTag>(guide);
     std::vector<std::uint32_t> places(cells.size());
     for (std::uint32_t k = 0; k < cells.size(); ++k) places[cells[k]] = k;
     Index_queue wished(cells.size()), unwished(cells.size());
@@ -121,9 +125,10 @@ private:
   enum : char { REACHED = 1, ON_WALL = 2 };
 
   // All cells in the order in which they are preferred.
+  template <typename ConcurrencyTag>
   std::vector<Cell_index> sorted_cells(const Sweep_guide_3& guide) const {
     std::vector<Cell_index> cells(m_mesh.cells().begin(), m_mesh.cells().end());
-    std::sort(cells.begin(), cells.end(), [&](Cell_index c, Cell_index d) {
+    sort_in_parallel<ConcurrencyTag>(cells.begin(), cells.end(), [&](Cell_index c, Cell_index d) {
       const double a = m_upwards * guide.potential[c], b = m_upwards * guide.potential[d];
       if (a != b) return a < b;
       const auto rank = [&](Cell_index e) { return guide.ranks.empty() ? 0 : guide.ranks[e]; };
