@@ -42,7 +42,7 @@ def main(arguments):
     if "--help" in arguments or "-h" in arguments:
         print(__doc__.strip())
         return 0
-    if len(arguments) not in (4, 5) or arguments[3] not in SIZES:
+    if len(arguments) not in (4, 5) or arguments[3] not in SIZES or not all(a.isdecimal() for a in arguments[4:]):
         print(__doc__.strip(), file=sys.stderr)
         return 2
     size = SIZES[arguments[3]]

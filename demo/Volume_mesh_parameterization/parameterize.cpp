@@ -197,7 +197,7 @@ private:
                           {"split_facets", splits.facets},
                           {"sweep", report_sweep(p.sweep_report())}};
     m_report["partition"] = report_partition(p.partition());
-    m_report["certificates"] = {{"handlebody", true},
+    m_report["certificates"] = {{"handlebody", p.is_certified()},
                                 {"longest_word", p.handlebody_certificate().longest_word()},
                                 {"product", p.product_structure() != nullptr},
                                 {"curves", p.product_map() != nullptr && m_options.field != Field::FLUX},

@@ -1,5 +1,5 @@
-// Extends a function from the floor to the whole solid, constant along the curves that join floor and ceiling: no domain is needed
-// for that.
+// Extends a function from the floor to the whole solid, constant along the curves that join floor and ceiling: no domain
+// is needed for that.
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Volume_mesh_parameterization/Direct_product_3.h>

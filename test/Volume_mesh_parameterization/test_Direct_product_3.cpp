@@ -6,6 +6,10 @@
 #include "io_test_util.h"
 #include "solid_test_util.h"
 
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/global_control.h>
+#endif
+
 #include <cassert>
 #include <cstdlib>
 #include <iostream>
@@ -18,7 +22,8 @@ using Product = VMP::Direct_product_3<Kernel>;
 // Every stage has left its result, and the results fit together.
 void test_results(const Product& product, int genus) {
   const Product::Mesh& mesh = product.mesh();
-  assert(product.partition().genus == genus && product.handlebody_certificate().genus() == genus);
+  assert(product.partition().genus == genus);
+  assert(product.is_certified() && product.handlebody_certificate().genus() == genus);
   expect(VMP::verify_product(mesh, product.product_structure()->order()), VMP::OK);
   assert((product.sweep_report().refinements > 0) == (product.sweep_report().bisected_edges > 0));
   assert(product.dual_potential()->values().size() == mesh.number_of_cells());
@@ -51,12 +56,45 @@ void test_kinds_of_curves(int holes) {
   }
 }
 
+// Two products are the same to the bit.
+void expect_equal(const Product& a, const Product& b) {
+  assert(a.mesh().points() == b.mesh().points());
+  assert(a.harmonic_function()->values() == b.harmonic_function()->values());
+  assert(a.dual_potential()->values() == b.dual_potential()->values());
+  assert(a.product_structure()->order() == b.product_structure()->order());
+  for (VMP::Cell_index c : a.mesh().cells()) assert(a.curve_field()->rates(c) == b.curve_field()->rates(c));
+  for (VMP::Facet_index f : a.mesh().facets()) {
+    assert(a.mesh().vertices(f) == b.mesh().vertices(f));
+    assert(a.flux_field()->flux(f) == b.flux_field()->flux(f));
+  }
+}
+
 void test_threads(const Soup& soup) {
-  Product one, several;
+  Product one;
   expect(one.build(soup), VMP::OK);
-  expect(several.build<CGAL::Parallel_if_available_tag>(soup), VMP::OK);
-  assert(one.product_structure()->order() == several.product_structure()->order());
-  for (VMP::Cell_index c : one.mesh().cells()) assert(one.curve_field()->rates(c) == several.curve_field()->rates(c));
+  for (std::size_t threads : {1, 2, 5}) {
+#ifdef CGAL_LINKED_WITH_TBB
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+#endif
+    Product several;
+    expect(several.build<CGAL::Parallel_if_available_tag>(soup), VMP::OK);
+    expect_equal(one, several);
+    std::cout << "the same with at most " << threads << " threads" << std::endl;
+  }
+}
+
+// Finds no solution.
+struct Failing_solver : VMP::Default_solver_traits_3 {
+  bool linear_solver(const Vector&, Vector&) { return false; }
+};
+
+// Whether the solid is a handlebody is told, all the same; there are no fields.
+template <typename Tag>
+void test_failing_solver() {
+  VMP::Direct_product_3<Kernel, Failing_solver> product;
+  expect(product.build<Tag>(shaped_block<Kernel::Point_3>(Shape::PLAIN, 1, 2, 2)), VMP::ERROR_CANNOT_SOLVE);
+  assert(product.is_certified() && product.handlebody_certificate().genus() == 1);
+  assert(!product.harmonic_function() && !product.flux_field() && !product.dual_potential() && !product.product_structure());
 }
 
 // Lets a number of stages pass.
@@ -75,7 +113,7 @@ void test_failures() {
     assert((product.partition().genus == 1) == (stages > 1));
     assert(bool(product.harmonic_function()) == (stages > 3) && bool(product.dual_potential()) == (stages > 3));
     assert(bool(product.flux_field()) == (stages > 3) && bool(product.product_structure()) == (stages > 3));
-    assert(!product.curve_field());
+    assert(!product.curve_field() && product.is_certified() == (stages > 3));
   }
   Soup unlabelled = soup;
   unlabelled.facets.pop_back();
@@ -91,6 +129,8 @@ int main() {
   assert(large.cells.size() > 1 << 16); // several blocks of each loop
   test_threads(large);
   test_failures();
+  test_failing_solver<CGAL::Sequential_tag>();
+  test_failing_solver<CGAL::Parallel_if_available_tag>();
   std::cout << "done" << std::endl;
   return EXIT_SUCCESS;
 }

@@ -50,7 +50,21 @@ void test_star(const Mesh& mesh, const Star& star, const Incident& is_incident) 
     assert(is_incident(c) == std::binary_search(star.begin(), star.end(), c));
 }
 
+// Numbers are given in blocks of vertices, maybe by several threads.
+void test_blocks() {
+  Mesh mesh;
+  const VMP::Status status =
+      mesh.assign<CGAL::Parallel_if_available_tag>(Block_with_holes<Kernel::Point_3>(1, 13, 13).soup());
+  assert(status.ok() && mesh.number_of_vertices() > 2 * 8192);
+  Edge_numbering edges(mesh, CGAL::Parallel_if_available_tag());
+  test_edges_of_cells(mesh, edges);
+  const Edge_numbering::Ends last = edges.ends(VMP::Edge_index(edges.number_of_edges() - 1));
+  edges.forget_cells();
+  assert(edges.number_of_cells() == 0 && edges.find(last[0], last[1]) + 1 == edges.number_of_edges());
+}
+
 int main() {
+  test_blocks();
   Mesh mesh;
   const VMP::Status status = mesh.assign(Block_with_holes<Kernel::Point_3>(1, 2, 2).soup());
   assert(status.ok());

@@ -249,6 +249,22 @@ void test_relaxation(std::size_t cells_per_block) {
   assert(error < 1e-4 * largest && before > 1e-2 * largest);
 }
 
+// Blocks may go to several threads: the fluxes are the same to the bit.
+void test_threads() {
+  const Mesh mesh = mesh_of(wedge(2));
+  const Field rough = equilibrated(mesh);
+  std::vector<double> fluxes;
+  for (VMP::Facet_index f : mesh.facets()) fluxes.push_back(rough.flux(f) + std::sin(double(f)));
+  const auto relaxed = [&](auto tag) {
+    std::vector<double> result = fluxes;
+    VMP::internal::Circulation_relaxation<Mesh>(mesh, tag, 20).template run<decltype(tag)>(3, result);
+    return result;
+  };
+  const std::vector<double> expected = relaxed(CGAL::Sequential_tag());
+  assert(expected != fluxes);
+  for (int k = 0; k < 20; ++k) assert(relaxed(CGAL::Parallel_if_available_tag()) == expected);
+}
+
 // Preparing changes nothing, and works for one time: afterwards equilibrate() does it by itself.
 void test_preparation() {
   const Mesh mesh = mesh_of(wedge(1));
@@ -329,6 +345,7 @@ int main() {
   test_solvers_agree();
   test_methods_agree();
   for (std::size_t cells_per_block : {1, 20, 1000}) test_relaxation(cells_per_block);
+  test_threads();
   test_preparation();
   test_exact_kernel();
   test_balance_rates();

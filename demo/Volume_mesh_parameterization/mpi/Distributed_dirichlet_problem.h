@@ -140,7 +140,8 @@ private:
     petsc_call(MatSetValuesCOO(m_matrix, m_entries.data(), ADD_VALUES));
     petsc_call(MatSetOption(m_matrix, MAT_SPD, PETSC_TRUE));
     m_rows = m_columns = {};
-    m_entries = {};
+    m_entries.clear();
+    m_entries.shrink_to_fit();
   }
 
   void run_solver(Vec solution) {

@@ -70,7 +70,7 @@ public:
 
   /// copies `mesh` and its labels, in linear time for vertices of bounded degree. Indices are checked, geometry and
   /// topology are not: see `check_tetrahedral_mesh()`. The numbers of facets do not depend on whether `mesh` knows neighbors.
-  /// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`
+  /// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; the result does not depend on it
   /// \tparam TetrahedralMesh a model of `TetrahedralMesh_3`
   /// \returns `ERROR_EMPTY_MESH`, `ERROR_WRONG_PARAMETER` (more than `most_cells`, or as many vertices; a neighbor that is
   /// none), `ERROR_INDEX_OUT_OF_RANGE`, `ERROR_NON_MANIFOLD` (a facet in three cells, or in two that are no neighbors) or
@@ -88,6 +88,7 @@ public:
   }
 
   /// copies a mesh of the same type, facets and all; its vertices count as given.
+  /// \tparam ConcurrencyTag as above
   template <typename ConcurrencyTag = Sequential_tag>
   Status assign(const Compact_tetrahedral_mesh_3& mesh) {
     *this = mesh;
@@ -97,9 +98,10 @@ public:
 
   /// takes points, cells, the label of each facet of each cell (0 in the interior) and the simplices whose barycentres
   /// the last points are.
+  /// \tparam ConcurrencyTag as above
   /// \pre the four vertices of a cell are different, and less than the number of points
-  /// \returns `ERROR_WRONG_PARAMETER` (more than `most_cells`, or as many vertices) or `ERROR_NON_MANIFOLD`; then the mesh is left
-  /// empty
+  /// \returns `ERROR_WRONG_PARAMETER` (more than `most_cells`, or as many vertices) or `ERROR_NON_MANIFOLD`; then the mesh is
+  /// left empty
   template <typename ConcurrencyTag = Sequential_tag>
   Status assign(std::vector<Point_3> points, std::vector<Cell_vertices> cells, const std::vector<Cell_labels>& labels,
                 std::vector<Simplex> split_simplices = {}) {

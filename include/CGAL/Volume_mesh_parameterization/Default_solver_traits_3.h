@@ -113,7 +113,7 @@ private:
 
   bool iterate(const Vector& right, Vector& solution) {
     return internal::solve_by_conjugate_gradients<Sequential_tag>(m_matrix, *m_preconditioner, right, tolerance,
-                                                  maximal_number_of_iterations, solution);
+                                                                  maximal_number_of_iterations, solution);
   }
 
   Vector residual(const Vector& right, const Vector& solution) const {

@@ -81,16 +81,18 @@ public:
   }
 
   /// \name Results
-  /// Pointers are null if their stage was not reached or failed; all fields are null if one of them failed.
+  /// Pointers are null if their stage was not reached, or no such result was found; all fields are null if one of them failed.
   /// @{
 
-  /// The mesh that all the others refer to: the input with the splits of `prepare_patches()`.
+  /// The mesh that all the others refer to: the input with the splits of `prepare_patches()` and of the sweep.
   const Mesh& mesh() const { return m_mesh; }
   /// returns the patches of the boundary.
   const Boundary_partition_3& partition() const { return m_partition; }
   /// returns what was split before the sweep.
   const Preparation& preparation() const { return m_preparation; }
-  /// returns the collapse of the solid to a graph, and the words of the edges of the prepared mesh.
+  /// returns whether the solid is proved to be a handlebody, and every loop to be one of the floor and of the ceiling.
+  bool is_certified() const { return m_is_certified; }
+  /// returns the words of the edges of the mesh as `prepare_patches()` left it, empty ones unless `is_certified()`.
   const Handlebody_certificate& handlebody_certificate() const { return m_certificate; }
   /// returns the function that is 0 on the floor and 1 on the ceiling.
   const Harmonic_function* harmonic_function() const { return pointer(m_harmonic_function); }
@@ -160,20 +162,26 @@ private:
     return status;
   }
 
-  // Apart from the harmonic function, what needs no field is made at the same time. Curves that are to be those of the flux
-  // itself are worth the smoother flux.
+  // Apart from the harmonic function, what needs no field is made at the same time; that the solid is no handlebody is told first.
+  // Curves that are to be those of the flux itself are worth the smoother flux.
   template <typename ConcurrencyTag>
   Status make_fields(Curve_type type) {
     m_harmonic_function.emplace(m_mesh);
     m_flux_field.emplace(m_mesh);
     m_dual_potential.emplace(m_mesh);
     const bool is_equilibrated = type != FLUX_CURVES;
+    Status solved;
     Status status = internal::try_all<ConcurrencyTag>(
-        [&] { return m_harmonic_function->solve(); }, [&] { return certify<ConcurrencyTag>(); },
+        [&] {
+          solved = m_harmonic_function->solve();
+          return Status();
+        },
+        [&] { return certify<ConcurrencyTag>(); },
         [&] {
           if (is_equilibrated) m_flux_field->template prepare_to_equilibrate<ConcurrencyTag>();
           return Status();
         });
+    if (status.ok()) status = solved;
     if (!status.ok()) return status;
     return internal::try_all<ConcurrencyTag>(
         [&] {
@@ -185,12 +193,13 @@ private:
   }
 
   void forget_fields() {
+    if (!m_is_certified) m_certificate = {};
     m_harmonic_function.reset();
     m_flux_field.reset();
     m_dual_potential.reset();
   }
 
-  // The order is checked by code that shares nothing with the sweep.
+  // The order is checked by code that shares nothing with the sweep but parallel loops.
   template <typename ConcurrencyTag>
   Status sweep_cells(Curve_type type) {
     const auto guide = [&](const Mesh& mesh, Sweep_guide_3& result) {

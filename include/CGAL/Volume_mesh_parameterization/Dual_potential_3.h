@@ -118,7 +118,8 @@ private:
     const auto precondition = [&](const Eigen::VectorXd& y) -> const Eigen::VectorXd& {
       return quotients = y.cwiseQuotient(matrix.diagonal());
     };
-    internal::solve_by_conjugate_gradients<ConcurrencyTag>(matrix, precondition, matrix.residual(x), tolerance, steps, correction);
+    internal::solve_by_conjugate_gradients<ConcurrencyTag>(matrix, precondition, matrix.residual(x), tolerance, steps,
+                                                           correction);
     x += correction;
   }
 

@@ -79,7 +79,8 @@ public:
     return {};
   }
 
-  /// makes what `equilibrate()` needs apart from the harmonic function, in linear time. It does so itself if nobody has before.
+  /// makes what `equilibrate()` needs apart from the harmonic function, in linear time; `equilibrate()` calls it if it was not
+  /// called before. The mesh must not change in between.
   /// \tparam ConcurrencyTag as for `equilibrate()`
   template <typename ConcurrencyTag = Sequential_tag>
   void prepare_to_equilibrate() {

@@ -244,7 +244,8 @@ Status check_boundary_connected(const Compact_tetrahedral_mesh_3<GeomTraits>& me
 checks that the mesh is a connected 3-manifold of positive tetrahedra whose boundary is connected, in almost linear time for
 vertices of bounded degree.
 
-\tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`: then the checks are made at the same time
+\tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`: with threads, checks are made at the same
+time; the result does not depend on it
 \tparam GeomTraits a model of `VolumeParameterizationTraits_3`
 
 \returns the error of the first check that fails: `check_orientations()`, `check_connected()`, `check_vertex_links()`,

@@ -286,7 +286,7 @@ All cells are removed by a breadth-first search from the boundary, then triangle
 one. If a graph remains, the solid is a handlebody, and the steps in reverse give a word for each edge. Each order
 takes linear time.
 
-\tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`
+\tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; the result does not depend on it
 \tparam GeomTraits a model of `VolumeParameterizationTraits_3`
 
 \returns `ERROR_NOT_A_HANDLEBODY` if every order fails; the detail says how many triangles remained. The solid may be

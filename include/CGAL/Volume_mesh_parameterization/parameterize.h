@@ -67,8 +67,8 @@ labels for one that has none
 \cgalNamedParamsEnd
 
 \returns the failure of the first stage that failed: the errors of `Compact_tetrahedral_mesh_3::assign()`,
-`check_tetrahedral_mesh()`, `validate_partition()`, `certify_handlebody()`, `validate_fundamental_group()`,
-`prepare_patches()`, `sweep()` and `FloorMap::build()`; `ERROR_CANNOT_SOLVE`; for `FLUX_CURVES` also
+`check_tetrahedral_mesh()`, `validate_partition()`, `prepare_patches()`, `certify_handlebody()`,
+`validate_fundamental_group()`, `sweep()` and `FloorMap::build()`; `ERROR_CANNOT_SOLVE`; for `FLUX_CURVES` also
 `ERROR_CURVE_LOST`; `ERROR_CANCELLED` if the visitor stopped
 */
 template <typename ConcurrencyTag = Sequential_tag, typename TetrahedralMesh, typename GeomTraits, typename Solver,

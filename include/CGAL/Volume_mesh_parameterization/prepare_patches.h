@@ -192,7 +192,7 @@ the whole mesh. Labels are kept; points of the boundary are only added, on its e
 \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; the result does not depend on it
 \tparam GeomTraits a model of `VolumeParameterizationTraits_3`
 
-\param mesh a mesh with a legal partition
+\param mesh a mesh whose partition `validate_partition()` accepts
 \param[out] counts how many simplices were split
 \returns `ERROR_CANNOT_SPLIT` if a barycentre rounds to a place where a cell would not be positive; then `mesh` may be refined
 in part

@@ -220,7 +220,7 @@ Let \f$ X \f$ be the floor and all tetrahedra swept so far. The next tetrahedron
 If the labels are a legal partition, see `validate_partition()`, such an order proves that the mesh is the product of
 its floor and an interval, by combinatorics alone.
 
-The function shares no code with the sweep. It takes \f$ O(n) \f$ time for vertices of bounded degree.
+The function shares no code with the sweep but parallel loops. It takes \f$ O(n) \f$ time for vertices of bounded degree.
 
 \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`: both directions may be replayed at
 the same time

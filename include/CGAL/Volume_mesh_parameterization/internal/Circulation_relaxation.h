@@ -161,15 +161,15 @@ private:
   }
 
   // Calls f(link) for all links: in parallel for those that stay in their blocks, since these share no cell with those of another
-  // block, then for the others. The order is the same for any number of threads.
+  // block, then for the others. At each cell the order is the same for any number of threads.
   template <typename ConcurrencyTag, typename Function>
   void for_each_link(const Function& f) {
-    const auto run_block = [&](std::size_t b, char stay) {
+    const auto run_block = [&](std::size_t b, bool stays) {
       for (std::size_t k = 0; k < m_blocks[b].ends.size(); ++k)
-        if (m_blocks[b].stay[k] == stay) f(link(b, k));
+        if (bool(m_blocks[b].stay[k]) == stays) f(link(b, k));
     };
-    for_each_index<ConcurrencyTag>(m_blocks.size(), [&](std::size_t b) { run_block(b, 1); }, 1);
-    for (std::size_t b = 0; b < m_blocks.size(); ++b) run_block(b, 0);
+    for_each_index<ConcurrencyTag>(m_blocks.size(), [&](std::size_t b) { run_block(b, true); }, 1);
+    for (std::size_t b = 0; b < m_blocks.size(); ++b) run_block(b, false);
   }
 
   // Takes the circulation away, and returns the flux around the edge that does so.

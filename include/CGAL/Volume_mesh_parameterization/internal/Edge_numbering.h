@@ -21,6 +21,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <utility>
 #include <vector>
@@ -41,15 +42,15 @@ public:
   // The numbers do not depend on the number of threads.
   template <typename Mesh, typename ConcurrencyTag = Sequential_tag>
   explicit Edge_numbering(const Mesh& mesh, ConcurrencyTag = {}) : m_cell_edges(mesh.number_of_cells()) {
-    const std::size_t n = mesh.number_of_vertices(), number_of_blocks = n / vertices_per_block + 1;
+    const std::size_t n = mesh.number_of_vertices(), size = vertices_per_block(n), number_of_blocks = n / size + 1;
     const auto other_end = [&](std::uint32_t use) { return sorted_ends<Mesh>(mesh.cell(use / 6), use % 6)[1]; };
     const Uses uses(n, 6 * m_cell_edges.size(), [&](std::uint32_t use) {
       return std::array<Vertex_index, 1>{sorted_ends<Mesh>(mesh.cell(use / 6), use % 6)[0]};
     });
     std::vector<std::vector<Ends>> ends(number_of_blocks);
-    for_each_index<ConcurrencyTag>(number_of_blocks, [&](std::size_t b) { ends[b] = find_ends(b, uses, other_end); }, 1);
+    for_each_index<ConcurrencyTag>(number_of_blocks, [&](std::size_t b) { ends[b] = find_ends(b * size, size, uses, other_end); }, 1);
     join(n, ends);
-    for_each_index<ConcurrencyTag>(number_of_blocks, [&](std::size_t b) { number_edges_of_cells(b, uses, other_end); }, 1);
+    for_each_index<ConcurrencyTag>(number_of_blocks, [&](std::size_t b) { number_edges_of_cells(b * size, size, uses, other_end); }, 1);
   }
 
   std::size_t number_of_cells() const { return m_cell_edges.size(); }
@@ -64,8 +65,8 @@ public:
   Edge_index edge(Cell_index c, int k) const { return m_cell_edges[c][k]; }
   const Cell_edges& edges(Cell_index c) const { return m_cell_edges[c]; }
 
-  // Leaves the ends of the edges only, a third of the memory.
-  void forget_cells() { m_cell_edges = {}; }
+  // Leaves what find() needs, a third of the memory.
+  void forget_cells() { m_cell_edges = std::vector<Cell_edges>(); }
 
   // returns the two ends, the smaller number first.
   const Ends& ends(Edge_index e) const { return m_ends[e]; }
@@ -79,22 +80,24 @@ public:
   }
 
 private:
-  static constexpr std::size_t vertices_per_block = 8192;
+  // Each block takes an array of the size of the mesh for a while, so there are at most 64 blocks.
+  static std::size_t vertices_per_block(std::size_t n) { return (std::max)(std::size_t(8192), n / 64 + 1); }
+
   using Uses = Incidence_lists<Vertex_index, std::uint32_t>; // six for each cell: of edges, by their smaller ends
 
   // calls f(v) for the vertices of a block
   template <typename Function>
-  static void for_each_vertex(std::size_t block, const Uses& uses, const Function& f) {
-    const std::size_t end = (std::min)((block + 1) * vertices_per_block, uses.size());
-    for (std::size_t v = block * vertices_per_block; v < end; ++v) f(Vertex_index(v));
+  static void for_each_vertex(std::size_t first, std::size_t size, const Uses& uses, const Function& f) {
+    const std::size_t end = (std::min)(first + size, uses.size());
+    for (std::size_t v = first; v < end; ++v) f(Vertex_index(v));
   }
 
   // The edges whose smaller ends are in a block, in order.
   template <typename OtherEnd>
-  static std::vector<Ends> find_ends(std::size_t block, const Uses& uses, const OtherEnd& other_end) {
+  static std::vector<Ends> find_ends(std::size_t first_vertex, std::size_t size, const Uses& uses, const OtherEnd& other_end) {
     std::vector<Ends> result;
     std::vector<Vertex_index> found_for(uses.size());
-    for_each_vertex(block, uses, [&](Vertex_index v) {
+    for_each_vertex(first_vertex, size, uses, [&](Vertex_index v) {
       const std::size_t first = result.size();
       for (std::uint32_t use : uses[v])
         if (const Vertex_index w = other_end(use); std::exchange(found_for[w], v) != v) result.push_back({v, w});
@@ -115,9 +118,9 @@ private:
   }
 
   template <typename OtherEnd>
-  void number_edges_of_cells(std::size_t block, const Uses& uses, const OtherEnd& other_end) {
+  void number_edges_of_cells(std::size_t first_vertex, std::size_t size, const Uses& uses, const OtherEnd& other_end) {
     std::vector<Edge_index> edge_to(uses.size());
-    for_each_vertex(block, uses, [&](Vertex_index v) {
+    for_each_vertex(first_vertex, size, uses, [&](Vertex_index v) {
       for (std::size_t e = m_first[v]; e < m_first[v + 1]; ++e) edge_to[m_ends[e][1]] = Edge_index(e);
       for (std::uint32_t use : uses[v]) m_cell_edges[use / 6][use % 6] = edge_to[other_end(use)];
     });

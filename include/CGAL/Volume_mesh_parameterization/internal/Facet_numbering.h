@@ -39,7 +39,8 @@ public:
   // `opposites` are the other sides of all sides, or empty if these are to be found. The result does not depend on the number of
   // threads.
   template <typename ConcurrencyTag>
-  Facet_numbering(const std::vector<Cell>& cells, std::size_t number_of_vertices, const std::vector<Side>& opposites, ConcurrencyTag)
+  Facet_numbering(const std::vector<Cell>& cells, std::size_t number_of_vertices, const std::vector<Side>& opposites,
+                  ConcurrencyTag)
       : m_cells(cells), m_opposites(opposites) {
     const Lists lists = sides_by_first_vertex(number_of_vertices);
     std::vector<Block> blocks(number_of_vertices / vertices_per_block + 1);
@@ -130,7 +131,7 @@ private:
     m_sides.reserve(size);
     for (Block& block : blocks) {
       m_sides.insert(m_sides.end(), (block.*part).begin(), (block.*part).end());
-      block.*part = {};
+      std::vector<std::array<Side, 2>>().swap(block.*part);
     }
   }
 

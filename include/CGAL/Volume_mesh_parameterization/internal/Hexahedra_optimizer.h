@@ -65,9 +65,9 @@ public:
   // First with fixed rest lengths, which untangles and spreads the nodes. Then with the edges' own lengths as rest
   // lengths: only angles count, for by the inequality of means the energy is a bound, which the present nodes attain, for
   // the same function of the scaled Jacobian. Then what of the surface is left out is covered. The flatter hexahedra may become
-  // on the way, the more nodes arrive; the less flat, the better the angles remain: if the former is not enough, both are tried.
+  // on the way, the more nodes arrive; the less flat, the better the angles remain: if one is not enough, others are tried.
   void run(int most_sweeps, double target, double tolerance) {
-    constexpr std::pair<double, int> attempts[] = {{0.02, 4}, {0.15, 2}}; // how flat, and how many rounds
+    constexpr std::pair<double, int> attempts[] = {{0.02, 4}, {0.15, 2}, {0.08, 3}}; // how flat, and how many rounds
     m_most_sweeps = most_sweeps;
     m_rest_lengths = smooth_edge_lengths(m_nodes, m_hexahedra);
     spread();

@@ -144,9 +144,9 @@ private:
       }
       append(i, i, m_diagonal[i]);
     }
-    m_diagonal = {};
-    m_end = {};
-    m_lower = {};
+    m_diagonal = std::vector<double>(); // {} would keep the memory
+    m_end = std::vector<std::size_t>();
+    m_lower = std::vector<Entry>();
   }
 
   std::vector<double> m_diagonal;

@@ -85,7 +85,8 @@ Status try_each_index(std::size_t n, const Function& f, std::size_t block = 64) 
   return try_each_in_order<ConcurrencyTag>(boost::irange(std::size_t(0), n), f, block);
 }
 
-// Calls functions without arguments, at the same time if the tag says so; returns the failure of the first in the list.
+// Calls functions without arguments, at the same time if the tag says so; returns the failure of the first in the list that
+// fails. Those after it may have been called or not.
 template <typename ConcurrencyTag, typename... Functions>
 Status try_all(const Functions&... functions) {
   const auto call = [&](std::size_t i) {
