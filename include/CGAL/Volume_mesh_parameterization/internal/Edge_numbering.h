@@ -48,9 +48,11 @@ public:
       return std::array<Vertex_index, 1>{sorted_ends<Mesh>(mesh.cell(use / 6), use % 6)[0]};
     });
     std::vector<std::vector<Ends>> ends(number_of_blocks);
-    for_each_index<ConcurrencyTag>(number_of_blocks, [&](std::size_t b) { ends[b] = find_ends(b * size, size, uses, other_end); }, 1);
+    const auto find = [&](std::size_t b) { ends[b] = find_ends(b * size, size, uses, other_end); };
+    for_each_index<ConcurrencyTag>(number_of_blocks, find, 1);
     join(n, ends);
-    for_each_index<ConcurrencyTag>(number_of_blocks, [&](std::size_t b) { number_edges_of_cells(b * size, size, uses, other_end); }, 1);
+    const auto number = [&](std::size_t b) { number_edges_of_cells(b * size, size, uses, other_end); };
+    for_each_index<ConcurrencyTag>(number_of_blocks, number, 1);
   }
 
   std::size_t number_of_cells() const { return m_cell_edges.size(); }
