@@ -21,6 +21,23 @@ using VMP::internal::try_all;
 using VMP::internal::try_each_in_order;
 using VMP::internal::try_each_index;
 
+// Blocks are in order, and have each index once; there is no empty block.
+void test_blocks() {
+  for (std::size_t n : {0, 1, 6, 7, 8, 14, 1000})
+    for (std::size_t size : {1, 7, 2000}) {
+      const VMP::internal::Index_blocks blocks(n, size);
+      std::size_t next = 0;
+      for (std::size_t b = 0; b < blocks.size(); ++b) {
+        assert(!blocks[b].empty());
+        for (std::size_t i : blocks[b]) {
+          assert(i == next++);
+          assert(blocks.block_of(i) == b);
+        }
+      }
+      assert(next == n);
+    }
+}
+
 // Each index is met once, whatever the block.
 template <typename Tag>
 void test_loop() {
@@ -106,6 +123,7 @@ int main() {
   using Exact = CGAL::Exact_predicates_exact_constructions_kernel::FT;
   static_assert(std::is_same<Concurrency_for<CGAL::Parallel_tag, double>, CGAL::Parallel_tag>::value, "");
   static_assert(std::is_same<Concurrency_for<CGAL::Parallel_tag, Exact>, CGAL::Sequential_tag>::value, "");
+  test_blocks();
   test<CGAL::Sequential_tag>();
   test<CGAL::Parallel_if_available_tag>();
 #ifdef CGAL_LINKED_WITH_TBB

@@ -127,14 +127,13 @@ private:
 
   template <typename Predicate>
   std::vector<Simplex> edges(Predicate is_wanted) const {
-    constexpr std::size_t cells_per_block = 1 << 16;
-    std::vector<std::vector<Simplex>> found(m_mesh.number_of_cells() / cells_per_block + 1);
-    const auto search = [&](std::size_t block) {
-      const std::size_t end = (std::min)((block + 1) * cells_per_block, m_mesh.number_of_cells());
-      for (std::size_t c = block * cells_per_block; c < end; ++c)
+    const Index_blocks blocks(m_mesh.number_of_cells(), 1 << 16);
+    std::vector<std::vector<Simplex>> found(blocks.size());
+    const auto search = [&](std::size_t b) {
+      for (std::size_t c : blocks[b])
         for (const auto& e : Mesh::edge_vertices) {
           const Vertex_index a = m_mesh.cell(c)[e[0]], b = m_mesh.cell(c)[e[1]];
-          if (is_wanted(a, b)) found[block].push_back({std::min(a, b), std::max(a, b)});
+          if (is_wanted(a, b)) found[b].push_back({std::min(a, b), std::max(a, b)});
         }
     };
     for_each_index<ConcurrencyTag>(found.size(), search, 1);

@@ -114,14 +114,16 @@ private:
 // whether all curves arrived and all calls succeeded; if not, some may have been left out.
 template <typename ConcurrencyTag, typename GeomTraits, typename LocationOf, typename Use>
 bool for_each_chart(const Integral_curves_3<GeomTraits>& curves, std::size_t n, const LocationOf& location_of, const Use& use) {
-  constexpr std::size_t block = 128;
+  constexpr std::size_t size_of_block = 128;
+  const Index_blocks blocks(n, size_of_block);
   std::atomic<bool> is_good(true);
-  for_each_index<Concurrency_for<ConcurrencyTag, typename GeomTraits::FT>>((n + block - 1) / block, [&](std::size_t b) {
+  for_each_index<Concurrency_for<ConcurrencyTag, typename GeomTraits::FT>>(blocks.size(), [&](std::size_t b) {
     if (!is_good) return;
-    const std::size_t first = b * block, size = (std::min)(block, n - first);
-    std::array<Curve_chart_3<GeomTraits>, block> charts;
-    bool succeeds = Chart_tracer<GeomTraits, LocationOf>(curves, location_of, first, size).run(charts);
-    for (std::size_t i = 0; i < size && succeeds; ++i) succeeds = use(first + i, charts[i]);
+    const auto block = blocks[b];
+    const std::size_t first = *block.begin();
+    std::array<Curve_chart_3<GeomTraits>, size_of_block> charts;
+    bool succeeds = Chart_tracer<GeomTraits, LocationOf>(curves, location_of, first, block.size()).run(charts);
+    for (std::size_t i : block) succeeds = succeeds && use(i, charts[i - first]);
     if (!succeeds) is_good = false;
   }, 1);
   return is_good;

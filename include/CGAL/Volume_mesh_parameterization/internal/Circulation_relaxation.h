@@ -35,7 +35,7 @@ public:
   // near each other.
   template <typename ConcurrencyTag>
   Circulation_relaxation(const Mesh& mesh, ConcurrencyTag, std::size_t cells_per_block = 1 << 16)
-      : m_mesh(&mesh), m_cells_per_block(cells_per_block), m_blocks(mesh.number_of_cells() / cells_per_block + 1) {
+      : m_mesh(&mesh), m_cell_blocks(mesh.number_of_cells(), cells_per_block), m_blocks(m_cell_blocks.size()) {
     for_each_index<ConcurrencyTag>(m_blocks.size(), [this](std::size_t b) { find_links(b); }, 1);
   }
 
@@ -47,7 +47,7 @@ public:
     for (const auto& p : m_mesh->points()) m_points.push_back(approximate(p));
     m_cells.resize(m_mesh->number_of_cells());
     const auto set_cell = [&](std::size_t c) { m_cells[c] = cell(Cell_index(c), fluxes); };
-    for_each_index<ConcurrencyTag>(m_cells.size(), set_cell, m_cells_per_block);
+    for_each_index<ConcurrencyTag>(m_cells.size(), set_cell, 4096);
     for (int round = 0; round < rounds; ++round)
       for_each_link<ConcurrencyTag>([&](const Link& link) { *link.turning_flux += relax(link); });
     for_each_link<ConcurrencyTag>([&](const Link& link) { add_to_fluxes(link, fluxes); });
@@ -94,16 +94,14 @@ private:
 
   bool is_first(Facet_index f, Cell_index c) const { return m_mesh->half_facet(f).cell == c; }
 
-  std::size_t block_of(Cell_index c) const { return c / m_cells_per_block; }
-
   void find_links(std::size_t b) {
-    const std::size_t begin = b * m_cells_per_block, end = (std::min)(begin + m_cells_per_block, m_mesh->number_of_cells());
-    std::vector<std::uint8_t> found(end - begin, 0); // a bit for each edge of the cell
+    const auto cells = m_cell_blocks[b];
+    std::vector<std::uint8_t> found(cells.size(), 0); // a bit for each edge of the cell
     m_blocks[b].edges.reserve(6 * found.size());
-    for (std::size_t c = begin; c < end; ++c)
+    for (std::size_t c : cells)
       for (std::uint8_t i = 0; i < 4; ++i)
         for (std::uint8_t j = i + 1; j < 4; ++j)
-          if (const Link_edge e{Cell_index(c), i, j}; !(found[c - begin] & bit(e))) add_link(e, b, found);
+          if (const Link_edge e{Cell_index(c), i, j}; !(found[c - *cells.begin()] & bit(e))) add_link(e, b, found);
     m_blocks[b].edges.shrink_to_fit();
     m_blocks[b].turning_fluxes.assign(m_blocks[b].ends.size(), 0);
   }
@@ -123,8 +121,8 @@ private:
     const int first_facet = e.to;
     std::size_t first_block = b, last_block = b;
     do {
-      const std::size_t here = block_of(e.cell);
-      if (here == b) found[e.cell - b * m_cells_per_block] |= std::uint8_t(bit(e));
+      const std::size_t here = m_cell_blocks.block_of(e.cell);
+      if (here == b) found[e.cell - *m_cell_blocks[b].begin()] |= std::uint8_t(bit(e));
       first_block = (std::min)(first_block, here);
       last_block = (std::max)(last_block, here);
       block.edges.push_back(e);
@@ -205,7 +203,7 @@ private:
   }
 
   const Mesh* m_mesh;
-  std::size_t m_cells_per_block;
+  Index_blocks m_cell_blocks;
   std::vector<Point> m_points; // of the vertices
   std::vector<Cell> m_cells;
   std::vector<Block> m_blocks;

@@ -42,17 +42,18 @@ public:
   // The numbers do not depend on the number of threads.
   template <typename Mesh, typename ConcurrencyTag = Sequential_tag>
   explicit Edge_numbering(const Mesh& mesh, ConcurrencyTag = {}) : m_cell_edges(mesh.number_of_cells()) {
-    const std::size_t n = mesh.number_of_vertices(), size = vertices_per_block(n), number_of_blocks = n / size + 1;
+    const std::size_t n = mesh.number_of_vertices();
+    const Index_blocks blocks(n, vertices_per_block(n));
     const auto other_end = [&](std::uint32_t use) { return sorted_ends<Mesh>(mesh.cell(use / 6), use % 6)[1]; };
     const Uses uses(n, 6 * m_cell_edges.size(), [&](std::uint32_t use) {
       return std::array<Vertex_index, 1>{sorted_ends<Mesh>(mesh.cell(use / 6), use % 6)[0]};
     });
-    std::vector<std::vector<Ends>> ends(number_of_blocks);
-    const auto find = [&](std::size_t b) { ends[b] = find_ends(b * size, size, uses, other_end); };
-    for_each_index<ConcurrencyTag>(number_of_blocks, find, 1);
+    std::vector<std::vector<Ends>> ends(blocks.size());
+    const auto find = [&](std::size_t b) { ends[b] = find_ends(blocks[b], uses, other_end); };
+    for_each_index<ConcurrencyTag>(blocks.size(), find, 1);
     join(n, ends);
-    const auto number = [&](std::size_t b) { number_edges_of_cells(b * size, size, uses, other_end); };
-    for_each_index<ConcurrencyTag>(number_of_blocks, number, 1);
+    const auto number = [&](std::size_t b) { number_edges_of_cells(blocks[b], uses, other_end); };
+    for_each_index<ConcurrencyTag>(blocks.size(), number, 1);
   }
 
   std::size_t number_of_cells() const { return m_cell_edges.size(); }
@@ -87,24 +88,18 @@ private:
 
   using Uses = Incidence_lists<Vertex_index, std::uint32_t>; // six for each cell: of edges, by their smaller ends
 
-  // calls f(v) for the vertices of a block
-  template <typename Function>
-  static void for_each_vertex(std::size_t first, std::size_t size, const Uses& uses, const Function& f) {
-    const std::size_t end = (std::min)(first + size, uses.size());
-    for (std::size_t v = first; v < end; ++v) f(Vertex_index(v));
-  }
-
   // The edges whose smaller ends are in a block, in order.
-  template <typename OtherEnd>
-  static std::vector<Ends> find_ends(std::size_t first_vertex, std::size_t size, const Uses& uses, const OtherEnd& other_end) {
+  template <typename Block, typename OtherEnd>
+  static std::vector<Ends> find_ends(const Block& block, const Uses& uses, const OtherEnd& other_end) {
     std::vector<Ends> result;
     std::vector<Vertex_index> found_for(uses.size());
-    for_each_vertex(first_vertex, size, uses, [&](Vertex_index v) {
+    for (std::size_t i : block) {
+      const Vertex_index v(i);
       const std::size_t first = result.size();
       for (std::uint32_t use : uses[v])
         if (const Vertex_index w = other_end(use); std::exchange(found_for[w], v) != v) result.push_back({v, w});
       std::sort(result.begin() + first, result.end());
-    });
+    }
     return result;
   }
 
@@ -119,13 +114,13 @@ private:
     m_first.resize(number_of_vertices + 1, Edge_index(size));
   }
 
-  template <typename OtherEnd>
-  void number_edges_of_cells(std::size_t first_vertex, std::size_t size, const Uses& uses, const OtherEnd& other_end) {
+  template <typename Block, typename OtherEnd>
+  void number_edges_of_cells(const Block& block, const Uses& uses, const OtherEnd& other_end) {
     std::vector<Edge_index> edge_to(uses.size());
-    for_each_vertex(first_vertex, size, uses, [&](Vertex_index v) {
+    for (std::size_t v : block) {
       for (std::size_t e = m_first[v]; e < m_first[v + 1]; ++e) edge_to[m_ends[e][1]] = Edge_index(e);
-      for (std::uint32_t use : uses[v]) m_cell_edges[use / 6][use % 6] = edge_to[other_end(use)];
-    });
+      for (std::uint32_t use : uses[Vertex_index(v)]) m_cell_edges[use / 6][use % 6] = edge_to[other_end(use)];
+    }
   }
 
   template <typename Mesh, typename Cell>

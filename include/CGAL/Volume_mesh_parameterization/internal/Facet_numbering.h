@@ -43,13 +43,14 @@ public:
                   ConcurrencyTag)
       : m_cells(cells), m_opposites(opposites) {
     const Lists lists = sides_by_first_vertex(number_of_vertices);
-    std::vector<Block> blocks(number_of_vertices / vertices_per_block + 1);
-    const auto pair = [&](std::size_t b) { return pair_sides(lists, b, blocks[b]); };
+    const Index_blocks blocks(number_of_vertices, vertices_per_block);
+    std::vector<Paired_sides> paired(blocks.size());
+    const auto pair = [&](std::size_t b) { return pair_sides(lists, blocks[b], paired[b]); };
     m_status = try_each_index<ConcurrencyTag>(blocks.size(), pair, 1);
     if (!m_status.ok()) return;
-    append(blocks, &Block::boundary);
+    append(paired, &Paired_sides::boundary);
     m_number_of_boundary_facets = m_sides.size();
-    append(blocks, &Block::interior);
+    append(paired, &Paired_sides::interior);
   }
 
   // `ERROR_NON_MANIFOLD` if a facet is in three cells, or in two that are no neighbors
@@ -66,8 +67,8 @@ private:
   // Of sides with the same smallest vertex: the other two, the smaller one first.
   using Keyed_side = std::pair<std::uint64_t, Side>;
 
-  // The facets whose smallest vertices have numbers in a row.
-  struct Block {
+  // The facets whose smallest vertices are in the same block.
+  struct Paired_sides {
     std::vector<std::array<Side, 2>> boundary, interior;
   };
 
@@ -94,26 +95,26 @@ private:
             }};
   }
 
-  Status pair_sides(const Lists& lists, std::size_t b, Block& block) const {
+  template <typename Block>
+  Status pair_sides(const Lists& lists, const Block& first_vertices, Paired_sides& paired) const {
     std::vector<Keyed_side> list;
-    const std::size_t end = (std::min)((b + 1) * vertices_per_block, lists.size() - 1);
-    for (std::size_t first = b * vertices_per_block; first < end; ++first) {
+    for (std::size_t first : first_vertices) {
       list.clear();
       for (Side side : lists[Vertex_index(first)]) list.push_back(keyed(side));
       std::sort(list.begin(), list.end());
-      const Status status = pair_sides(list, block);
+      const Status status = pair_sides(list, paired);
       if (!status.ok()) return status;
     }
     return {};
   }
 
-  Status pair_sides(const std::vector<Keyed_side>& sorted, Block& block) const {
+  Status pair_sides(const std::vector<Keyed_side>& sorted, Paired_sides& paired) const {
     const bool is_paired = !m_opposites.empty();
     for (std::size_t k = 0, end; k < sorted.size(); k = end) {
       for (end = k + 1; end < sorted.size() && sorted[k].first == sorted[end].first;) ++end;
       if (end - k > (is_paired ? 1 : 2)) return not_manifold(sorted, k, end);
       const Side side = sorted[k].second, other = is_paired ? m_opposites[side] : end - k == 2 ? sorted[k + 1].second : none;
-      (other == none ? block.boundary : block.interior).push_back({side, other});
+      (other == none ? paired.boundary : paired.interior).push_back({side, other});
     }
     return {};
   }
@@ -125,13 +126,13 @@ private:
     return {ERROR_NON_MANIFOLD, text + " share a facet" + (end - first == 2 ? ", but are no neighbors" : "")};
   }
 
-  void append(std::vector<Block>& blocks, std::vector<std::array<Side, 2>> Block::*part) {
+  void append(std::vector<Paired_sides>& paired, std::vector<std::array<Side, 2>> Paired_sides::*part) {
     std::size_t size = m_sides.size();
-    for (const Block& block : blocks) size += (block.*part).size();
+    for (const Paired_sides& p : paired) size += (p.*part).size();
     m_sides.reserve(size);
-    for (Block& block : blocks) {
-      m_sides.insert(m_sides.end(), (block.*part).begin(), (block.*part).end());
-      std::vector<std::array<Side, 2>>().swap(block.*part);
+    for (Paired_sides& p : paired) {
+      m_sides.insert(m_sides.end(), (p.*part).begin(), (p.*part).end());
+      std::vector<std::array<Side, 2>>().swap(p.*part);
     }
   }
 

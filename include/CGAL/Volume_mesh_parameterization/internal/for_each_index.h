@@ -22,6 +22,7 @@
 
 #include <boost/range/irange.hpp>
 
+#include <algorithm>
 #include <atomic>
 #include <cstddef>
 #include <mutex>
@@ -36,6 +37,26 @@ namespace internal {
 // not safe for threads in all versions of CGAL.
 template <typename ConcurrencyTag, typename FT>
 using Concurrency_for = std::conditional_t<std::is_floating_point<FT>::value, ConcurrencyTag, Sequential_tag>;
+
+// The indices less than n in blocks of the same size, but for the last: what is done for each block does not depend on the
+// number of threads.
+class Index_blocks {
+public:
+  Index_blocks(std::size_t n, std::size_t size_of_block) : m_n(n), m_size_of_block(size_of_block) {}
+
+  std::size_t size() const { return (m_n + m_size_of_block - 1) / m_size_of_block; }
+
+  // returns the indices of block b, as a range.
+  auto operator[](std::size_t b) const {
+    const std::size_t first = b * m_size_of_block;
+    return boost::irange(first, (std::min)(first + m_size_of_block, m_n));
+  }
+
+  std::size_t block_of(std::size_t i) const { return i / m_size_of_block; }
+
+private:
+  std::size_t m_n, m_size_of_block;
+};
 
 // Calls f(i) for all i less than n, in parallel in blocks of fixed size if the tag says so: the order of the calls may
 // vary, nothing else.
