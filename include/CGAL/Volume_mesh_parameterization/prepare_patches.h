@@ -129,16 +129,16 @@ private:
   std::vector<Simplex> edges(Predicate is_wanted) const {
     const Index_blocks blocks(m_mesh.number_of_cells(), 1 << 16);
     std::vector<std::vector<Simplex>> found(blocks.size());
-    const auto search = [&](std::size_t b) {
-      for (std::size_t c : blocks[b])
+    const auto search = [&](std::size_t block) {
+      for (std::size_t c : blocks[block])
         for (const auto& e : Mesh::edge_vertices) {
           const Vertex_index a = m_mesh.cell(c)[e[0]], b = m_mesh.cell(c)[e[1]];
-          if (is_wanted(a, b)) found[b].push_back({std::min(a, b), std::max(a, b)});
+          if (is_wanted(a, b)) found[block].push_back({std::min(a, b), std::max(a, b)});
         }
     };
     for_each_index<ConcurrencyTag>(found.size(), search, 1);
     std::vector<Simplex> result;
-    for (std::vector<Simplex>& block : found) result.insert(result.end(), block.begin(), block.end());
+    for (const std::vector<Simplex>& part : found) result.insert(result.end(), part.begin(), part.end());
     std::sort(result.begin(), result.end());
     result.erase(std::unique(result.begin(), result.end()), result.end());
     return result;
