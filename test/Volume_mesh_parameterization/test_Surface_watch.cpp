@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <cstdlib>
 #include <iostream>
 #include <set>
@@ -41,6 +42,52 @@ Hexahedra cubes() {
 
 bool is_on_crease(const Eigen::Vector3d& p) { return p.x() == 0 && p.y() == 0; }
 
+Eigen::Vector3d mean(const internal::Attraction& a, const Nodes& nodes) {
+  Eigen::Vector3d result = Eigen::Vector3d::Zero();
+  for (int i = 0; i < 4; ++i) result += a.weights[i] * nodes[a.nodes[i]];
+  return result;
+}
+
+// Points are means of nodes of quadrilaterals, as far from the surface, or from a point of it, as is said; places are on the
+// surface of the block, and what is cut off is seen along the normal.
+void check_attractions(const std::vector<internal::Attraction>& attractions, const Nodes& nodes) {
+  std::size_t along_normal = 0;
+  for (const internal::Attraction& a : attractions) {
+    assert(std::abs(a.weights[0] + a.weights[1] + a.weights[2] + a.weights[3] - 1) < 1e-12);
+    assert(*std::min_element(a.weights.begin(), a.weights.end()) > -1e-12);
+    const Eigen::Vector3d p = mean(a, nodes), q = a.place;
+    assert((p - q).norm() > a.distance - 1e-12);
+    const double depth = std::min({q.x(), q.y(), q.z(), 1 - q.x(), 3 - q.y(), 1 - q.z()});
+    assert(std::abs(depth) < 1e-12);
+    along_normal += (p - q).norm() > a.distance + 1e-3;
+  }
+  assert(along_normal > 0);
+}
+
+// The derivatives of the energy are those of its values.
+void check_energy(const std::vector<internal::Attraction>& attractions, Nodes nodes, std::size_t v) {
+  constexpr double step = 1e-5;
+  const Nodes good = nodes;
+  for (int power : {2, 8}) {
+    const internal::Surface_attraction energy(attractions, nodes.size(), power, 0.1);
+    const auto at = [&](const Eigen::Vector3d& d) {
+      nodes[v] = good[v] + d;
+      internal::Star_energy::Derivatives result;
+      energy.add_to(result, v, nodes);
+      assert(std::abs(result.value - energy(v, nodes)) <= 1e-12 * result.value);
+      return result;
+    };
+    const auto here = at(Eigen::Vector3d::Zero());
+    assert(here.value > 0);
+    for (int i = 0; i < 3; ++i) {
+      const auto ahead = at(step * Eigen::Vector3d::Unit(i)), behind = at(-step * Eigen::Vector3d::Unit(i));
+      assert(std::abs((ahead.value - behind.value) / (2 * step) - here.gradient[i]) < 1e-5 * (1 + here.gradient.norm()));
+      const Eigen::Vector3d column = (ahead.gradient - behind.gradient) / (2 * step);
+      assert((column - here.hessian.col(i)).norm() < 1e-5 * (1 + here.hessian.norm()));
+    }
+  }
+}
+
 int main() {
   Mesh solid;
   VMP::Status status = solid.assign(Block_with_holes<Point_3>(0, 2, 2).soup());
@@ -57,7 +104,7 @@ int main() {
                                                       carriers.surface(), internal::surface_points(solid), nodes.size(), 0.3);
   watch.start(nodes);
   for (std::size_t v = 0; v < nodes.size(); ++v) assert(watch.accepts(v, nodes));
-  assert(watch.nodes_to_draw(nodes, carrier_of_node).empty());
+  assert(watch.attractions(nodes).empty());
 
   // Nodes of the crease at the origin leave it along the wall, so that quadrilaterals cut it off.
   std::vector<std::size_t> moved;
@@ -67,12 +114,13 @@ int main() {
   const Nodes good = nodes;
   for (std::size_t v : moved) nodes[v].x() = 0.8 * edge;
   for (std::size_t v : moved) assert(!watch.accepts(v, nodes));
-  assert(watch.excess(nodes) > 0 && watch.excess(good) == 0);
+  const std::vector<internal::Attraction> attractions = watch.attractions(nodes);
+  assert(watch.excess(attractions) > 0 && watch.excess(watch.attractions(good)) == 0);
+  check_attractions(attractions, nodes);
+  check_energy(attractions, nodes, moved.front());
   std::set<std::size_t> drawn;
-  for (const internal::Drawn_node& d : watch.nodes_to_draw(nodes, carrier_of_node)) {
-    assert(is_on_crease(d.place) || std::count(moved.begin(), moved.end(), d.node) == 0);
-    drawn.insert(d.node);
-  }
+  for (const internal::Attraction& a : attractions)
+    if (is_on_crease(a.place)) drawn.insert(a.nodes.begin(), a.nodes.end());
   for (std::size_t v : moved) assert(drawn.count(v) == 1);
 
   // What is so from the start may stay, but not return once it is better.

@@ -21,6 +21,7 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -120,6 +121,22 @@ public:
     if (carrier.patch) return project(*carrier.patch, p);
     if (carrier.rim) return project(*carrier.rim, p);
     return {p, Eigen::Matrix3d::Identity()};
+  }
+
+  // Returns where the line through p along an outward normal leaves the solid: ahead if p is inside, else behind.
+  static std::optional<Eigen::Vector3d> find_exit(const Handle& surface, const Eigen::Vector3d& p, const Eigen::Vector3d& normal) {
+    if (normal.isZero(0)) return {};
+    for (int sign : {1, -1}) {
+      const Eigen::Vector3d direction = sign * normal;
+      const Kernel::Ray_3 ray(to_point(p), Kernel::Vector_3(direction.x(), direction.y(), direction.z()));
+      const auto hit = surface.patch->tree.first_intersected_primitive(ray);
+      if (!hit) continue;
+      const Kernel::Triangle_3& t = **hit;
+      const Eigen::Vector3d normal_of_triangle = to_vector(CGAL::normal(t[0], t[1], t[2]));
+      const double slope = normal_of_triangle.dot(normal);
+      if (slope > 0) return p + normal_of_triangle.dot(to_vector(t[0]) - p) / slope * normal;
+    }
+    return {};
   }
 
   // Whether the carrier, which is not the whole space, comes as near as `distance` to p.

@@ -16,6 +16,7 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Hexahedron_facets.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Incidence_lists.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Star_energy.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Surface_attraction.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Surface_watch.h>
 #include <CGAL/Volume_mesh_parameterization/internal/color_nodes.h>
 #include <CGAL/Volume_mesh_parameterization/internal/for_each_index.h>
@@ -29,7 +30,6 @@
 #include <cmath>
 #include <cstddef>
 #include <numeric>
-#include <optional>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -47,6 +47,11 @@ class Hexahedra_optimizer {
   using Vector = Eigen::Vector3d;
   using Matrix = Eigen::Matrix3d;
 
+  // The lower the better: the number of inverted hexahedra; what the least scaled Jacobian lacks and the distance of the
+  // surface exceeds; the opposite of the mean.
+  using Grade = std::tuple<std::ptrdiff_t, double, double>;
+  using Best = Best_nodes<Grade>;
+
 public:
   Hexahedra_optimizer(std::vector<Vector> nodes, const std::vector<Hexahedron>& hexahedra,
                       const std::vector<Carriers_3::Handle>& carriers,
@@ -57,30 +62,28 @@ public:
         m_carriers(carriers),
         m_stars(m_nodes.size(), hexahedra.size(), [&](std::size_t h) { return hexahedra[h]; }),
         m_classes(color_nodes(m_stars, hexahedra)),
-        m_slacks(m_nodes.size(), 0),
-        m_places(m_nodes.size()) {
+        m_slacks(m_nodes.size(), 0) {
     look_at_all();
   }
 
   // First with fixed rest lengths, which untangles and spreads the nodes. Then with the edges' own lengths as rest
   // lengths: only angles count, for by the inequality of means the energy is a bound, which the present nodes attain, for
-  // the same function of the scaled Jacobian. Then what of the surface is left out is covered. The flatter hexahedra may become
-  // on the way, the more nodes arrive; the less flat, the better the angles remain: if one is not enough, others are tried.
+  // the same function of the scaled Jacobian. Then what of the surface is left out is covered, without losing the angles.
   void run(int most_sweeps, double target, double tolerance) {
-    constexpr std::pair<double, int> attempts[] = {{0.02, 4}, {0.15, 2}, {0.08, 3}}; // how flat, and how many rounds
+    constexpr int most_rounds = 4; // a second one may untangle what the first one leaves, and cover what is left out then
     m_most_sweeps = most_sweeps;
     m_rest_lengths = smooth_edge_lengths(m_nodes, m_hexahedra);
     spread();
-    straighten(target, tolerance);
-    const std::vector<Vector> straight = m_nodes;
-    Best_nodes<Grade> best(m_nodes, grade(target));
-    for (const auto& [least_allowed, most_rounds] : attempts) {
-      start_again(straight);
-      for (int round = 0; round < most_rounds && std::get<1>(best.grade()) > 0; ++round) {
-        cover_surface(target, least_allowed);
-        straighten(target, tolerance); // undoes a part: so a round may help after one that does not
-        best.offer(m_nodes, grade(target));
-      }
+    for (int round = 0; round < most_rounds && (round == 0 || number_of_inverted() > 0); ++round) straighten(target, tolerance);
+    Best best(m_nodes, grade(target, m_watch.attractions(m_nodes)));
+    const Grade straight = best.grade();
+    for (int round = 0; round < most_rounds && lacks_something(best); ++round)
+      if (!cover_surface(target, tolerance, round == 0 ? 2 : 8, best)) break;
+    go_back_to(best.nodes());
+    if (best.grade() < straight) {
+      m_watch.keep_covered(m_nodes);
+      raise_mean(target);
+      best.offer(m_nodes, grade(target, m_watch.attractions(m_nodes)));
     }
     m_nodes = best.nodes();
   }
@@ -89,13 +92,6 @@ public:
 
 private:
   // Stages.
-
-  void start_again(const std::vector<Vector>& nodes) {
-    m_nodes = nodes;
-    m_places.assign(m_places.size(), {});
-    m_is_covered = false;
-    look_at_all();
-  }
 
   // Untangles.
   void spread() {
@@ -112,37 +108,33 @@ private:
     raise_mean(target);
   }
 
-  // Draws nodes to where the surface and the hexahedra are too far from each other, unless hexahedra are inverted, which matters
-  // more. On the way hexahedra may become as flat as is allowed, and sides that cut off some of the surface elsewhere are drawn
-  // there in the next round: if either were forbidden, most nodes would not arrive. In the end nodes that did not are free again,
-  // and so are those of hexahedra that fall short of `target`.
-  void cover_surface(double target, double least_allowed) {
-    constexpr int most_rounds = 8, power = 2;
-    constexpr double volume_weight = 0.2, least_gain = 1e-2;
-    if (std::count(m_inverted.begin(), m_inverted.end(), 1) > 0) return;
-    m_watch.start(m_nodes);
+  // Lessens the energy of the corners, and that of the distance between surface and hexahedra, together, from the best nodes on.
+  // A distance that is just allowed counts as much as a corner that just reaches the target; the power grows, so that in the end
+  // the worst counts, whichever it is. Hexahedra may become flatter on the way, and places are looked for again and again.
+  // Returns whether that helps.
+  bool cover_surface(double target, double tolerance, int first_power, Best& best) {
+    constexpr int greatest_power = 32, most_searches = 20, most_sweeps = 3;
+    constexpr double least_allowed = 0.15, least_gain = 1e-2, least_target = 0.1;
+    go_back_to(best.nodes());
     m_is_covering = true;
-    m_least_allowed = (std::min)(least_allowed, least_scaled_jacobian());
-    for (int round = 0; round < most_rounds && draw_nodes(); ++round) run_pass({power, volume_weight}, least_gain);
+    bool helps = false;
+    std::vector<Attraction> attractions = m_watch.attractions(m_nodes);
+    for (int power = first_power; power <= greatest_power; power *= 2) {
+      let_leave_carriers(target, tolerance);
+      for (int search = 0; search < most_searches && lacks_something(best); ++search) {
+        m_attraction = {std::move(attractions), m_nodes.size(), power, (std::max)(target, least_target) * m_watch.too_far()};
+        m_least_allowed = (std::min)(least_allowed, least_scaled_jacobian());
+        start_pass({power, 0});
+        for (int k = 0; k < (std::min)(most_sweeps, m_most_sweeps); ++k) sweep(k, least_gain);
+        attractions = m_watch.attractions(m_nodes);
+        helps |= best.offer(m_nodes, grade(target, attractions));
+      }
+    }
     m_least_allowed = -1;
+    m_attraction = {};
     m_is_covering = false;
-    for (std::size_t v = 0; v < m_places.size(); ++v)
-      if (!is_at_place(v) || least_scaled_jacobian_around(v) < target) m_places[v].reset();
-    m_is_covered = true;
-    look_at_all();
+    return helps;
   }
-
-  // Gives places to nodes that are not at one. Returns whether there are some to give.
-  bool draw_nodes() {
-    for (std::size_t v = 0; v < m_places.size(); ++v)
-      if (!is_at_place(v)) m_places[v].reset();
-    const std::vector<Drawn_node> drawn = m_watch.nodes_to_draw(m_nodes, m_carriers);
-    for (const Drawn_node& d : drawn)
-      if (!m_places[d.node]) m_places[d.node] = d.place;
-    return !drawn.empty();
-  }
-
-  bool is_at_place(std::size_t v) const { return m_places[v] && *m_places[v] == m_nodes[v]; }
 
   // The power grows until `target` is reached, or that does not help. On the way the worst may become worse, but not flat:
   // the energy of a flat corner is finite. What is good at once is smoothed a little nevertheless.
@@ -185,15 +177,20 @@ private:
     Best_nodes<Quality> best(m_nodes, quality(target));
     const auto is_inverted = [&] { return std::get<0>(best.grade()) > 0; };
     for (int round = 0; round < most_rounds && (is_inverted() || -std::get<1>(best.grade()) < target); ++round) {
-      for (std::size_t h = 0; h < m_hexahedra.size(); ++h)
-        if (m_inverted[h] || m_qualities[h] < target)
-          for (std::size_t v : m_hexahedra[h]) m_slacks[v] = slack(v, tolerance * (round + 1) / most_rounds);
+      let_leave_carriers(target, tolerance * (round + 1) / most_rounds);
       if (round % 2 == 1 && is_inverted()) spread();
       for (int power : powers) run_pass({power, volume_weight}, least_gain, target, fewest_sweeps);
       look_at_all();
       best.offer(m_nodes, quality(target));
     }
     go_back_to(best.nodes());
+  }
+
+  // The nodes of hexahedra that are worse than `target`, by a share of the edges around.
+  void let_leave_carriers(double target, double share) {
+    for (std::size_t h = 0; h < m_hexahedra.size(); ++h)
+      if (m_inverted[h] || m_qualities[h] < target)
+        for (std::size_t v : m_hexahedra[h]) m_slacks[v] = slack(v, share);
   }
 
   void go_back_to(const std::vector<Vector>& nodes) {
@@ -224,11 +221,7 @@ private:
 
   double least_scaled_jacobian() const { return *std::min_element(m_qualities.begin(), m_qualities.end()); }
 
-  double least_scaled_jacobian_around(std::size_t v) const {
-    double least = 1;
-    for (std::size_t h : m_stars[v]) least = (std::min)(least, m_qualities[h]);
-    return least;
-  }
+  std::ptrdiff_t number_of_inverted() const { return std::count(m_inverted.begin(), m_inverted.end(), 1); }
 
   double mean_scaled_jacobian() const {
     return std::accumulate(m_qualities.begin(), m_qualities.end(), 0.) / double(m_qualities.size());
@@ -256,24 +249,23 @@ private:
       m_inverted[h] = is_inverted(m_nodes, m_hexahedra[h], m_qualities[h]);
     });
     m_watch.start(m_nodes);
-    if (m_is_covered) m_watch.keep_covered(m_nodes);
   }
 
   // What is to be lessened: the number of inverted hexahedra, then the opposite of the least scaled Jacobian up to `target`, then
   // that of the mean.
   using Quality = std::tuple<std::ptrdiff_t, double, double>;
   Quality quality(double target) const {
-    return {std::count(m_inverted.begin(), m_inverted.end(), 1), -(std::min)(target, least_scaled_jacobian()),
+    return {number_of_inverted(), -(std::min)(target, least_scaled_jacobian()),
             -mean_scaled_jacobian()};
   }
 
-  // The lower the better: the number of inverted hexahedra; what the least scaled Jacobian lacks and the distance of the
-  // surface exceeds; the opposite of the mean.
-  using Grade = std::tuple<std::ptrdiff_t, double, double>;
-  Grade grade(double target) const {
+  Grade grade(double target, const std::vector<Attraction>& attractions) const {
     const auto [inverted, least, mean] = quality(target);
-    return {inverted, target + least + m_watch.excess(m_nodes), mean};
+    return {inverted, target + least + m_watch.excess(attractions), mean};
   }
+
+  // Whether no hexahedron is inverted, but not all is good.
+  static bool lacks_something(const Best& best) { return std::get<0>(best.grade()) == 0 && std::get<1>(best.grade()) > 0; }
 
   // Steps.
 
@@ -323,33 +315,18 @@ private:
     return false;
   }
 
-  // Goes on towards the place of v, as far as hexahedra remain good. Returns whether it moved.
-  bool approach_place(std::size_t v) {
-    constexpr double least_share = 1. / 64;
-    constexpr int most_halvings = 5;
-    const Vector start = m_nodes[v], place = *m_places[v];
-    Vector step = place - start;
-    for (int k = 0; k <= most_halvings; ++k, step /= 2) {
-      m_nodes[v] = k == 0 ? place : carried(v, start + step);
-      if ((m_nodes[v] - place).norm() < (1 - least_share) * (start - place).norm() && accept_star(v))
-        return true;
-    }
-    m_nodes[v] = start;
-    return false;
-  }
-
   // Returns whether that is worth trying those around again.
   bool move(std::size_t v) {
-    if (m_places[v]) return approach_place(v);
     constexpr int most_halvings = 5;
     const Star_energy energy = energy_around(v);
-    const Star_energy::Derivatives old = energy.derivatives();
+    Star_energy::Derivatives old = energy.derivatives();
+    m_attraction.add_to(old, v, m_nodes);
     m_energies[v] = old.value;
     const Vector start = m_nodes[v];
     Vector step = newton_step(v, old);
     for (int k = 0; k <= most_halvings; ++k, step /= 2) {
       m_nodes[v] = carried(v, start + step);
-      const double gain = old.value - energy(m_nodes[v] - start);
+      const double gain = old.value - energy(m_nodes[v] - start) - m_attraction(v, m_nodes);
       if (gain > 0 && accept_star(v)) return gain >= m_least_gain;
     }
     m_nodes[v] = start;
@@ -407,7 +384,6 @@ private:
   Incidence_lists<std::size_t, std::size_t> m_stars; // the hexahedra around each node
   std::vector<std::vector<std::size_t>> m_classes;   // of nodes that may move at the same time
   std::vector<double> m_slacks;                      // how far nodes may be from their carriers
-  std::vector<std::optional<Vector>> m_places;       // where nodes are drawn to
   std::vector<double> m_qualities;                   // scaled Jacobians of the hexahedra
   std::vector<char> m_inverted;                      // whether a hexahedron is, anywhere
   std::vector<int> m_tried_at, m_moved_at;           // the time at which each node was or did last
@@ -417,10 +393,10 @@ private:
   int m_most_sweeps = 0;                             // in a pass
   std::vector<Vector> m_rest_lengths;                // of each hexahedron along its three axes
   bool m_is_covering = false;                        // meanwhile the boundary may leave the surface
-  bool m_is_covered = false;                         // what of the surface was left out is, and has to be from now on
   bool m_has_rest_lengths = true;                    // else an edge's own length serves
   double m_least_allowed = -1;                       // scaled Jacobian
   Corner_energy m_energy;
+  Surface_attraction m_attraction; // while the surface is covered
 };
 
 } // namespace internal

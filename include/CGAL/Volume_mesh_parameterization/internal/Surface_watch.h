@@ -13,6 +13,7 @@
 #include <CGAL/Volume_mesh_parameterization/internal/AABB_types.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Carriers_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Incidence_lists.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Surface_attraction.h>
 #include <CGAL/Volume_mesh_parameterization/internal/for_each_index.h>
 
 #include <CGAL/Kernel/global_functions.h>
@@ -33,15 +34,9 @@ namespace CGAL {
 namespace Volume_mesh_parameterization {
 namespace internal {
 
-// A place on the surface, and the node that is to be there.
-struct Drawn_node {
-  std::size_t node;
-  Eigen::Vector3d place;
-};
-
 // Keeps the boundary of a hexahedral mesh near to the surface that its nodes move on: corners at rims get better the more
 // surface their hexahedra cut off. The middles of quadrilaterals and of their sides, and the points of the surface, have to be
-// as near as they are, or as is enough. Tells which nodes could cover what is too far: tips, creases, and what chords cut off.
+// as near as they are, or as is enough. Tells what is far: tips, creases, and what chords cut off.
 template <typename ConcurrencyTag>
 class Surface_watch {
   using Vector = Eigen::Vector3d;
@@ -77,7 +72,7 @@ public:
   // The same for points of the surface, which are not looked after without that.
   void keep_covered(const Nodes& nodes) {
     for (const Far_point& p : far_points(nodes, 0))
-      m_watched[p.quadrilateral].push_back({p.point, (std::max)(m_too_far, p.distance)});
+      m_watched[p.quadrilateral()].push_back({p.point, (std::max)(m_too_far, p.distance())});
   }
 
   // Whether no quadrilateral at node v is too far from the surface, nor the surface from these.
@@ -105,24 +100,33 @@ public:
     }
   }
 
-  // For places on the surface that are too far from the quadrilaterals, or that middles of these are too far from, a node of
-  // the quadrilateral and the point of its carrier there; for each node the farthest.
-  std::vector<Drawn_node> nodes_to_draw(const Nodes& nodes, const std::vector<Carriers_3::Handle>& carriers) const {
-    std::vector<std::pair<double, Vector>> farthest(nodes.size(), {m_too_far, Vector::Zero()});
-    for (const Far_point& p : too_far(nodes)) {
-      const std::optional<Drawn_node> d = node_to_draw(m_boundary[p.quadrilateral], p.point, nodes, carriers);
-      if (d && p.distance > farthest[d->node].first) farthest[d->node] = {p.distance, d->place};
+  // How far points of the surface, and middles in the end, may be.
+  double too_far() const { return m_too_far; }
+
+  // Points of the quadrilaterals and places on the surface that are far from each other: what the points of the surface are
+  // nearest to, and the middles of quadrilaterals and sides. These are drawn along the normal, if that is not much farther: the
+  // nearest place may be on the wrong side of what a chord cuts off.
+  std::vector<Attraction> attractions(const Nodes& nodes) const {
+    constexpr double least_share = 0.5; // of what is too far
+    const double least = least_share * m_too_far;
+    std::vector<Attraction> result;
+    for (const Far_point& p : far_points(nodes, least))
+      result.push_back({m_boundary[p.quadrilateral()], weights(p, nodes), p.point, p.distance()});
+    std::vector<std::array<Vector, 5>> feet(m_boundary.size());
+    for_each_index<ConcurrencyTag>(m_boundary.size(), [&](std::size_t k) { feet[k] = feet_of_middles(m_boundary[k], nodes); });
+    for (std::size_t k = 0; k < m_boundary.size(); ++k) {
+      const auto middles = this->middles(m_boundary[k], nodes);
+      for (int i = 0; i < 5; ++i)
+        if (const double distance = (feet[k][i] - middles[i]).norm(); distance >= least)
+          result.push_back({m_boundary[k], middle_weights[i], place(middles[i], feet[k][i], normal(m_boundary[k], nodes)), distance});
     }
-    std::vector<Drawn_node> result;
-    for (std::size_t v = 0; v < nodes.size(); ++v)
-      if (farthest[v].first > m_too_far) result.push_back({v, farthest[v].second});
     return result;
   }
 
   // How much farther than is allowed the two surfaces are from each other, in mean sides.
-  double excess(const Nodes& nodes) const {
+  double excess(const std::vector<Attraction>& attractions) const {
     double greatest = m_too_far;
-    for (const Far_point& p : too_far(nodes)) greatest = (std::max)(greatest, p.distance);
+    for (const Attraction& a : attractions) greatest = (std::max)(greatest, a.distance);
     return (greatest - m_too_far) / m_side;
   }
 
@@ -131,11 +135,13 @@ private:
   using Triangles = AABB_types<Kernel>::Triangles;
   using Tree = AABB_types<Kernel>::Tree<AABB_types<Kernel>::Triangle_primitive>;
 
-  // A point of the surface, its distance from a quadrilateral, or from one of its middles, and that quadrilateral.
+  // A point of the surface, and the nearest point of the nearest quarter of a quadrilateral.
   struct Far_point {
-    Vector point;
-    double distance;
-    std::size_t quadrilateral;
+    Vector point, foot;
+    std::size_t quarter;
+
+    double distance() const { return (point - foot).norm(); }
+    std::size_t quadrilateral() const { return quarter / 4; }
   };
 
   // A point of the surface, and how far it may be.
@@ -151,16 +157,6 @@ private:
     return length / (4. * double(m_boundary.size()));
   }
 
-  std::vector<Far_point> too_far(const Nodes& nodes) const {
-    std::vector<Far_point> result = far_points(nodes, m_too_far);
-    for (std::size_t k = 0; k < m_boundary.size(); ++k)
-      for (const Vector& p : middles(m_boundary[k], nodes)) {
-        const Vector foot = Carriers_3::project(m_surface, p).point;
-        if ((foot - p).norm() > m_too_far) result.push_back({foot, (foot - p).norm(), k});
-      }
-    return result;
-  }
-
   // Points of the surface that are at least `distance` away from the quadrilaterals, with the nearest of these.
   std::vector<Far_point> far_points(const Nodes& nodes, double distance) const {
     Triangles triangles;
@@ -172,10 +168,9 @@ private:
     for_each_index<ConcurrencyTag>(result.size(), [&](std::size_t i) {
       const Kernel::Point_3 p = to_point(m_surface_points[i]);
       const auto foot = tree.closest_point_and_primitive(p);
-      result[i] = {m_surface_points[i], std::sqrt(CGAL::squared_distance(p, foot.first)),
-                   std::size_t(foot.second - triangles.cbegin()) / 4};
+      result[i] = {m_surface_points[i], to_vector(foot.first), std::size_t(foot.second - triangles.cbegin())};
     });
-    result.erase(std::remove_if(result.begin(), result.end(), [&](const Far_point& p) { return p.distance < distance; }),
+    result.erase(std::remove_if(result.begin(), result.end(), [&](const Far_point& p) { return p.distance() < distance; }),
                  result.end());
     return result;
   }
@@ -201,24 +196,37 @@ private:
   }
 
   static Kernel::Point_3 to_point(const Vector& p) { return {p.x(), p.y(), p.z()}; }
+  static Vector to_vector(const Kernel::Point_3& p) { return {p.x(), p.y(), p.z()}; }
 
   // One of four triangles around the middle of a quadrilateral.
   static Kernel::Triangle_3 quarter(const Quadrilateral& q, int i, const Nodes& nodes) {
     return {to_point(nodes[q[i]]), to_point(nodes[q[(i + 1) % 4]]), to_point(middle(q, nodes))};
   }
 
-  // The first of the two nearest nodes that is not at the nearest place on its carrier already.
-  std::optional<Drawn_node> node_to_draw(Quadrilateral quadrilateral, const Vector& p, const Nodes& nodes,
-                                         const std::vector<Carriers_3::Handle>& carriers) const {
-    constexpr double least_way = 0.01; // of what is enough
-    const auto is_nearer = [&](std::size_t v, std::size_t w) { return (nodes[v] - p).norm() < (nodes[w] - p).norm(); };
-    std::stable_sort(quadrilateral.begin(), quadrilateral.end(), is_nearer);
-    for (int k = 0; k < 2; ++k) {
-      const std::size_t v = quadrilateral[k];
-      const Vector place = Carriers_3::project(carriers[v], p).point;
-      if ((place - nodes[v]).norm() > least_way * m_enough) return Drawn_node{v, place};
-    }
-    return {};
+  // Of the nodes of the quadrilateral, whose mean is the foot.
+  std::array<double, 4> weights(const Far_point& p, const Nodes& nodes) const {
+    const Quadrilateral& q = m_boundary[p.quadrilateral()];
+    const int i = int(p.quarter % 4), j = (i + 1) % 4;
+    const Vector a = nodes[q[i]] - p.foot, b = nodes[q[j]] - p.foot, c = middle(q, nodes) - p.foot;
+    const Vector normal = (b - a).cross(c - a);
+    const double area = normal.squaredNorm();
+    const double of_a = area > 0 ? b.cross(c).dot(normal) / area : 1. / 3, of_b = area > 0 ? c.cross(a).dot(normal) / area : 1. / 3;
+    std::array<double, 4> result;
+    result.fill((1 - of_a - of_b) / 4);
+    result[i] += of_a;
+    result[j] += of_b;
+    return result;
+  }
+
+  // Where on the surface a middle is drawn to.
+  Vector place(const Vector& middle, const Vector& foot, const Vector& normal) const {
+    constexpr double most_ratio = 3; // of the way along the normal to the shortest
+    const std::optional<Vector> exit = Carriers_3::find_exit(m_surface, middle, normal);
+    return exit && (*exit - middle).norm() < most_ratio * (foot - middle).norm() ? *exit : foot;
+  }
+
+  static Vector normal(const Quadrilateral& q, const Nodes& nodes) {
+    return (nodes[q[2]] - nodes[q[0]]).cross(nodes[q[3]] - nodes[q[1]]);
   }
 
   static Vector middle(const Quadrilateral& q, const Nodes& nodes) {
@@ -233,11 +241,22 @@ private:
             side_middle(q, 3, nodes)};
   }
 
+  // Of the nodes in middles().
+  static constexpr std::array<double, 4> middle_weights[] = {
+      {0.25, 0.25, 0.25, 0.25}, {0.5, 0.5, 0, 0}, {0, 0.5, 0.5, 0}, {0, 0, 0.5, 0.5}, {0.5, 0, 0, 0.5}};
+
+  // The nearest points of the surface.
+  std::array<Vector, 5> feet_of_middles(const Quadrilateral& q, const Nodes& nodes) const {
+    std::array<Vector, 5> result = middles(q, nodes);
+    for (Vector& p : result) p = Carriers_3::project(m_surface, p).point;
+    return result;
+  }
+
   // Of the middles from the surface.
   double distance(const Quadrilateral& q, const Nodes& nodes) const {
+    const std::array<Vector, 5> from = middles(q, nodes), to = feet_of_middles(q, nodes);
     double greatest = 0;
-    for (const Vector& p : middles(q, nodes))
-      greatest = (std::max)(greatest, (Carriers_3::project(m_surface, p).point - p).norm());
+    for (int i = 0; i < 5; ++i) greatest = (std::max)(greatest, (to[i] - from[i]).norm());
     return greatest;
   }
 
