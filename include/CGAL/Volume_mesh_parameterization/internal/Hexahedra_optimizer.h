@@ -76,14 +76,10 @@ public:
     spread();
     for (int round = 0; round < most_rounds && (round == 0 || number_of_inverted() > 0); ++round) straighten(target, tolerance);
     Best best(m_nodes, grade(target, m_watch.attractions(m_nodes)));
-    const Grade straight = best.grade();
-    for (int round = 0; round < most_rounds && lacks_something(best); ++round)
-      if (!cover_surface(target, tolerance, round == 0 ? 2 : 8, best)) break;
-    go_back_to(best.nodes());
-    if (best.grade() < straight) {
-      m_watch.keep_covered(m_nodes);
-      raise_mean(target);
-      best.offer(m_nodes, grade(target, m_watch.attractions(m_nodes)));
+    bool helps = true;
+    for (int round = 0; round < most_rounds && helps && lacks_something(best); ++round) {
+      helps = cover_surface(target, tolerance, round == 0 ? 2 : 8, best);
+      straighten_covered(target, tolerance, best);
     }
     m_nodes = best.nodes();
   }
@@ -134,6 +130,18 @@ private:
     m_attraction = {};
     m_is_covering = false;
     return helps;
+  }
+
+  // What is covered has to remain so.
+  void straighten_covered(double target, double tolerance, Best& best) {
+    m_is_covered = true;
+    go_back_to(best.nodes());
+    if (lacks_something(best))
+      straighten(target, tolerance);
+    else
+      raise_mean(target);
+    m_is_covered = false;
+    best.offer(m_nodes, grade(target, m_watch.attractions(m_nodes)));
   }
 
   // The power grows until `target` is reached, or that does not help. On the way the worst may become worse, but not flat:
@@ -249,6 +257,7 @@ private:
       m_inverted[h] = is_inverted(m_nodes, m_hexahedra[h], m_qualities[h]);
     });
     m_watch.start(m_nodes);
+    if (m_is_covered) m_watch.keep_covered(m_nodes);
   }
 
   // What is to be lessened: the number of inverted hexahedra, then the opposite of the least scaled Jacobian up to `target`, then
@@ -393,6 +402,7 @@ private:
   int m_most_sweeps = 0;                             // in a pass
   std::vector<Vector> m_rest_lengths;                // of each hexahedron along its three axes
   bool m_is_covering = false;                        // meanwhile the boundary may leave the surface
+  bool m_is_covered = false;                         // what of the surface is covered has to remain so
   bool m_has_rest_lengths = true;                    // else an edge's own length serves
   double m_least_allowed = -1;                       // scaled Jacobian
   Corner_energy m_energy;
