@@ -212,11 +212,12 @@ private:
     return int(std::find(h.begin(), h.end(), v) - h.begin());
   }
 
+  // A hexahedron that is inverted though its corners are good is twisted: rest lengths make a box of it.
   Star_energy energy_around(std::size_t v) const {
     const auto star = m_stars[v];
     Star_energy energy(m_energy, star.size());
     for (std::size_t h : star)
-      energy.add(m_nodes, m_hexahedra[h], place(m_hexahedra[h], v), m_rest_lengths[h], !m_has_rest_lengths);
+      energy.add(m_nodes, m_hexahedra[h], place(m_hexahedra[h], v), m_rest_lengths[h], !m_has_rest_lengths && !m_inverted[h]);
     return energy;
   }
 
