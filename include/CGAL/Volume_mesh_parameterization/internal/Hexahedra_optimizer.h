@@ -51,6 +51,8 @@ class Hexahedra_optimizer {
   // surface exceeds; the opposite of the mean.
   using Grade = std::tuple<std::ptrdiff_t, double, double>;
   using Best = Best_nodes<Grade>;
+  // The same but for the distance, the least scaled Jacobian up to the target as its opposite.
+  using Quality = std::tuple<std::ptrdiff_t, double, double>;
 
 public:
   Hexahedra_optimizer(std::vector<Vector> nodes, const std::vector<Hexahedron>& hexahedra,
@@ -70,11 +72,13 @@ public:
   // lengths: only angles count, for by the inequality of means the energy is a bound, which the present nodes attain, for
   // the same function of the scaled Jacobian. Then what of the surface is left out is covered, without losing the angles.
   void run(int most_sweeps, double target, double tolerance) {
-    constexpr int most_rounds = 4; // a second one may untangle what the first one leaves, and cover what is left out then
+    constexpr int most_rounds = 4;
     m_most_sweeps = most_sweeps;
     m_rest_lengths = smooth_edge_lengths(m_nodes, m_hexahedra);
     spread();
-    for (int round = 0; round < most_rounds && (round == 0 || number_of_inverted() > 0); ++round) straighten(target, tolerance);
+    const std::vector<Vector> spread_out = m_nodes;
+    straighten(target, tolerance);
+    if (number_of_inverted() > 0) untwist(spread_out, target, tolerance);
     Best best(m_nodes, grade(target, m_watch.attractions(m_nodes)));
     bool helps = true;
     for (int round = 0; round < most_rounds && helps && lacks_something(best); ++round) {
@@ -96,6 +100,20 @@ private:
     m_has_rest_lengths = true;
     for (int power : powers) run_pass({power, volume_weight}, least_gain);
     m_has_rest_lengths = false;
+  }
+
+  // What is inverted in the end may have good corners, but be twisted. So angles are mended anew, from `start` on, where rest
+  // lengths make boxes of hexahedra that are inverted. Nothing changes unless that is better.
+  void untwist(const std::vector<Vector>& start, double target, double tolerance) {
+    constexpr int most_rounds = 4;
+    Best_nodes<Quality> best(m_nodes, quality(target));
+    m_slacks.assign(m_slacks.size(), 0);
+    go_back_to(start);
+    m_untwists = true;
+    for (int round = 0; round == 0 || (round < most_rounds && number_of_inverted() > 0); ++round) straighten(target, tolerance);
+    m_untwists = false;
+    best.offer(m_nodes, quality(target));
+    go_back_to(best.nodes());
   }
 
   void straighten(double target, double tolerance) {
@@ -212,14 +230,15 @@ private:
     return int(std::find(h.begin(), h.end(), v) - h.begin());
   }
 
-  // A hexahedron that is inverted though its corners are good is twisted: rest lengths make a box of it.
   Star_energy energy_around(std::size_t v) const {
     const auto star = m_stars[v];
     Star_energy energy(m_energy, star.size());
     for (std::size_t h : star)
-      energy.add(m_nodes, m_hexahedra[h], place(m_hexahedra[h], v), m_rest_lengths[h], !m_has_rest_lengths && !m_inverted[h]);
+      energy.add(m_nodes, m_hexahedra[h], place(m_hexahedra[h], v), m_rest_lengths[h], !has_rest_lengths(h));
     return energy;
   }
+
+  bool has_rest_lengths(std::size_t h) const { return m_has_rest_lengths || (m_untwists && m_inverted[h]); }
 
   // As it was when each node was tried last.
   double mean_energy() const {
@@ -261,9 +280,6 @@ private:
     if (m_is_covered) m_watch.keep_covered(m_nodes);
   }
 
-  // What is to be lessened: the number of inverted hexahedra, then the opposite of the least scaled Jacobian up to `target`, then
-  // that of the mean.
-  using Quality = std::tuple<std::ptrdiff_t, double, double>;
   Quality quality(double target) const {
     return {number_of_inverted(), -(std::min)(target, least_scaled_jacobian()),
             -mean_scaled_jacobian()};
@@ -404,6 +420,7 @@ private:
   std::vector<Vector> m_rest_lengths;                // of each hexahedron along its three axes
   bool m_is_covering = false;                        // meanwhile the boundary may leave the surface
   bool m_is_covered = false;                         // what of the surface is covered has to remain so
+  bool m_untwists = false;                           // inverted hexahedra have rest lengths, too
   bool m_has_rest_lengths = true;                    // else an edge's own length serves
   double m_least_allowed = -1;                       // scaled Jacobian
   Corner_energy m_energy;
