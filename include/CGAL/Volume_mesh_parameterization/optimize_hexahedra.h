@@ -148,7 +148,8 @@ not where they are.
 The boundary stays near to the surface: the middles of quadrilaterals and of their sides get no farther from it than four
 fifths of `greatest_distance`. Where vertices or barycentres of triangles of the surface are too far from the quadrilaterals, at
 tips and at creases inside a patch, or quadrilaterals from the surface, an energy of these distances is lessened together with
-that of the corners, with growing powers, so that the worst of both count; what is covered then remains so while the mean is raised.
+that of the corners, with growing powers, so that the worst of both count; what is covered then remains so while angles are
+mended once more.
 
 Nothing warrants that no hexahedron is inverted in the end: where the solid is smooth at a rim, the scaled Jacobian is small,
 and without tolerance tends to zero under refinement, unless there is a layer of hexahedra as `pillow_hexahedra()` makes it.

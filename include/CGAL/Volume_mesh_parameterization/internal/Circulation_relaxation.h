@@ -46,8 +46,9 @@ public:
     m_points.reserve(m_mesh->number_of_vertices());
     for (const auto& p : m_mesh->points()) m_points.push_back(approximate(p));
     m_cells.resize(m_mesh->number_of_cells());
+    constexpr std::size_t cells_per_task = 4096;
     const auto set_cell = [&](std::size_t c) { m_cells[c] = cell(Cell_index(c), fluxes); };
-    for_each_index<ConcurrencyTag>(m_cells.size(), set_cell, 4096);
+    for_each_index<ConcurrencyTag>(m_cells.size(), set_cell, cells_per_task);
     for (int round = 0; round < rounds; ++round)
       for_each_link<ConcurrencyTag>([&](const Link& link) { *link.turning_flux += relax(link); });
     for_each_link<ConcurrencyTag>([&](const Link& link) { add_to_fluxes(link, fluxes); });

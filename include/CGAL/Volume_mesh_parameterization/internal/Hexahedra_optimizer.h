@@ -123,8 +123,8 @@ private:
   }
 
   // Lessens the energy of the corners, and that of the distance between surface and hexahedra, together, from the best nodes on.
-  // A distance that is just allowed counts as much as a corner that just reaches the target; the power grows, so that in the end
-  // the worst counts, whichever it is. Hexahedra may become flatter on the way, and places are looked for again and again.
+  // A distance that is just not too far counts as much as a corner that just reaches the target; the power grows, so that in the
+  // end the worst counts, whichever it is. Hexahedra may become flatter on the way, and places are looked for again and again.
   // Returns whether that helps.
   bool cover_surface(double target, double tolerance, int first_power, Best& best) {
     constexpr int greatest_power = 32, most_searches = 20, most_sweeps = 3;
